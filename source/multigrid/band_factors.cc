@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/multigrid/band_factors.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ThermoContact
 {
@@ -15,23 +15,25 @@ namespace ThermoContact
 
 
 
-  bool
+  void
   BandFactors::factorize()
   {
     for (unsigned int j = 0; j < n; ++j)
       {
         const unsigned int end = std::min(n, j + band + 1);
         if (!(entry(j, j) > 0.))
-          return false;
-        const double root = std::sqrt(entry(j, j));
-        for (unsigned int i = j; i < end; ++i)
-          entry(i, j) /= root;
+          throw ComputationError(
+            "a matrix of multigrid is not positive\n"
+            "  remedy:  check the coefficients of section Model, the mesh and "
+            "Time/Step size for extreme values");
+        const double inverse = 1. / entry(j, j);
         for (unsigned int k = j + 1; k < end; ++k)
-          if (const double factor = entry(k, j); factor != 0.)
+          if (const double factor = inverse * entry(k, j); factor != 0.)
             for (unsigned int i = k; i < end; ++i)
               entry(i, k) -= factor * entry(i, j);
+        for (unsigned int i = j + 1; i < end; ++i)
+          entry(i, j) *= inverse;
       }
-    return true;
   }
 
 
@@ -42,17 +44,16 @@ namespace ThermoContact
     for (unsigned int j = 0; j < n; ++j)
       {
         const double *const column = &columns[std::size_t(j) * band];
-        x[j] /= column[j];
         for (unsigned int i = j + 1; i < std::min(n, j + band + 1); ++i)
           x[i] -= column[i] * x[j];
       }
     for (unsigned int j = n; j-- > 0;)
       {
         const double *const column = &columns[std::size_t(j) * band];
-        double              sum    = x[j];
+        double              sum    = x[j] / column[j];
         for (unsigned int i = j + 1; i < std::min(n, j + band + 1); ++i)
           sum -= column[i] * x[i];
-        x[j] = sum / column[j];
+        x[j] = sum;
       }
   }
 } // namespace ThermoContact

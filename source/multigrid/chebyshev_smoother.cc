@@ -49,6 +49,7 @@ namespace ThermoContact
     : block(block)
     , degree(degree)
     , range(range)
+    , subspaces(block.subspace_factors())
   {
     update_diagonal();
   }
@@ -59,10 +60,9 @@ namespace ThermoContact
   void
   ChebyshevSmoother<dim, Number>::update_diagonal()
   {
-    subspaces.reset();
-    if (auto factors = block.subspace_factors())
+    if (subspaces)
       {
-        subspaces.emplace(std::move(*factors));
+        subspaces->update(block.diagonal(false));
         return;
       }
     inverse_diagonal = block.make_vector();
@@ -146,54 +146,16 @@ namespace ThermoContact
     Number *__restrict update        = work.update.begin();
     Number *__restrict values        = x.begin();
     const Number       f_update = of_update, f_residual = of_residual;
-    const unsigned int n  = x.locally_owned_size();
-    const auto         go = [&](const auto &correction) {
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          // the first update may be anything
-          update[i] = (f_update == 0 ? 0 : f_update * update[i]) +
-                      f_residual * correction(i);
-          values[i] += update[i];
-        }
-    };
-    if (subspaces)
-      go([product](const unsigned int i) { return product[i]; });
-    else
-      go([=](const unsigned int i) {
-        return inverse[i] * (rhs[i] - product[i]);
-      });
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  ChebyshevSmoother<dim, Number>::go_on(LevelVector<Number>       &x,
-                                        const LevelVector<Number> &b,
-                                        const Work                &work) const
-  {
-    double rho = delta / theta;
-    for (unsigned int k = 1; k < degree; ++k)
+    const bool         is_done = subspaces.has_value();
+    const unsigned int n       = x.locally_owned_size();
+    for (unsigned int i = 0; i < n; ++i)
       {
-        const double next = 1. / (2. * theta / delta - rho);
-        advance(x, b, work, next * rho, 2. * next / delta);
-        rho = next;
+        // the first update may be anything
+        update[i] = (f_update == 0 ? 0 : f_update * update[i]) +
+                    f_residual * (is_done ? product[i] :
+                                            inverse[i] * (rhs[i] - product[i]));
+        values[i] += update[i];
       }
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  ChebyshevSmoother<dim, Number>::smooth_zero(LevelVector<Number>       &x,
-                                              const LevelVector<Number> &b,
-                                              const Work &work) const
-  {
-    work.update = b;
-    precondition(work.update);
-    work.update *= 1. / theta;
-    x = work.update;
-    go_on(x, b, work);
   }
 
 
@@ -202,10 +164,25 @@ namespace ThermoContact
   void
   ChebyshevSmoother<dim, Number>::smooth(LevelVector<Number>       &x,
                                          const LevelVector<Number> &b,
-                                         const Work                &work) const
+                                         const Work                &work,
+                                         const bool from_zero) const
   {
-    advance(x, b, work, 0., 1. / theta);
-    go_on(x, b, work);
+    if (from_zero)
+      {
+        work.update = b;
+        precondition(work.update);
+        work.update *= 1. / theta;
+        x = work.update;
+      }
+    else
+      advance(x, b, work, 0., 1. / theta);
+    double rho = delta / theta;
+    for (unsigned int k = 1; k < degree; ++k)
+      {
+        const double next = 1. / (2. * theta / delta - rho);
+        advance(x, b, work, next * rho, 2. * next / delta);
+        rho = next;
+      }
   }
 
 

@@ -88,10 +88,10 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
-  template <unsigned int n, typename OfWeight>
-  void LevelTransfer<dim, Number>::restrict(Number         *coarse,
-                                            const Number   *fine,
-                                            const OfWeight &of_weight) const
+  template <unsigned int n>
+  void LevelTransfer<dim, Number>::restrict(Number       *coarse,
+                                            const Number *fine,
+                                            const bool    is_diagonal) const
   {
     for (const Entry &entry : entries)
       {
@@ -101,26 +101,11 @@ namespace ThermoContact
         visit_weights(entry,
                       [&](const unsigned int column, const Number weight) {
                         for (unsigned int c = 0; c < n; ++c)
-                          coarse[column + c] += of_weight(weight) * value[c];
+                          coarse[column + c] +=
+                            (is_diagonal ? std::abs(weight) : weight) *
+                            value[c];
                       });
       }
-  }
-
-
-
-  template <int dim, typename Number>
-  template <typename OfWeight>
-  void
-  LevelTransfer<dim, Number>::restrict_by(const OfWeight            &of_weight,
-                                          LevelVector<Number>       &coarse,
-                                          const LevelVector<Number> &fine) const
-  {
-    coarse = Number();
-    if (n_components == 1)
-      restrict<1>(coarse.begin(), fine.begin(), of_weight);
-    else
-      restrict<dim>(coarse.begin(), fine.begin(), of_weight);
-    sum_over_ranks(coarse);
   }
 
 
@@ -142,22 +127,15 @@ namespace ThermoContact
   template <int dim, typename Number>
   void
   LevelTransfer<dim, Number>::restrict_to(LevelVector<Number>       &coarse,
-                                          const LevelVector<Number> &fine) const
+                                          const LevelVector<Number> &fine,
+                                          const bool is_diagonal) const
   {
-    restrict_by([](const Number weight) { return weight; }, coarse, fine);
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  LevelTransfer<dim, Number>::restrict_diagonal_to(
-    LevelVector<Number>       &coarse,
-    const LevelVector<Number> &fine) const
-  {
-    restrict_by([](const Number weight) { return std::abs(weight); },
-                coarse,
-                fine);
+    coarse = Number();
+    if (n_components == 1)
+      restrict<1>(coarse.begin(), fine.begin(), is_diagonal);
+    else
+      restrict<dim>(coarse.begin(), fine.begin(), is_diagonal);
+    sum_over_ranks(coarse);
   }
 
 

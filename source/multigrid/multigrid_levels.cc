@@ -18,9 +18,8 @@ namespace ThermoContact
     /** Of all levels but the body; the coarsest first. */
     template <int dim>
     std::vector<LevelGrid<dim>>
-    coarser_grids(const MeshParameters &mesh)
+    coarser_grids(const LevelGrid<dim> &body)
     {
-      const LevelGrid<dim>        body(mesh);
       std::vector<LevelGrid<dim>> grids;
       do
         {
@@ -38,21 +37,13 @@ namespace ThermoContact
 
 
 
-    unsigned int
-    n_components(const Field::Block field, const unsigned int dim)
-    {
-      return field == Field::temperature ? 1 : dim;
-    }
-
-
-
     template <int dim>
     std::vector<NodalValue<dim>>
     nodal_values(const LevelGrid<dim> &grid, const Field::Block field)
     {
       std::vector<NodalValue<dim>> values;
       for (unsigned int i = 0; i < grid.n_nodes(); ++i)
-        for (unsigned int c = 0; c < n_components(field, dim); ++c)
+        for (unsigned int c = 0; c < n_components<dim>(field); ++c)
           values.push_back({c, grid.node(grid.index(i))});
       return values;
     }
@@ -64,123 +55,70 @@ namespace ThermoContact
   MultigridLevels<dim, Number>::MultigridLevels(const Body<dim> &body)
     : body(body)
   {
-    const Discretization<dim>        &space = body.discretization;
-    const std::vector<LevelGrid<dim>> grids =
-      coarser_grids<dim>(body.scene.parameters.mesh);
+    const Discretization<dim>  &space = body.discretization;
+    const LevelGrid<dim>        of_body(body.scene.parameters.mesh);
+    std::vector<LevelGrid<dim>> grids = coarser_grids(of_body);
     coarse_matrix_ =
       std::make_unique<const LevelMatrix<dim, double>>(body.scene,
                                                        space.geometry(),
                                                        grids[0]);
     for (const LevelGrid<dim> &grid : grids)
       {
-        auto matrix =
+        levels.emplace_back();
+        levels.back().products =
           std::make_unique<const LevelMatrix<dim, Number>>(body.scene,
                                                            space.geometry(),
                                                            grid);
-        levels.emplace_back();
-        for (const Field::Block field : all_fields)
-          if (space.has_field(field))
-            make_field(*matrix, grid, field, levels.back().fields[field]);
-        levels.back().products = std::move(matrix);
       }
     auto products =
       std::make_unique<const CellProducts<dim, Number>>(body.scene, space);
+    grids.push_back(of_body);
     levels.emplace_back();
     for (const Field::Block field : all_fields)
       if (space.has_field(field))
         {
-          make_field_of_body(*products, field, levels.back().fields[field]);
-          for (unsigned int l = grids.size(); l > 0; --l)
-            connect(grids[l - 1],
-                    l == grids.size() ? space.nodal_values(field) :
-                                        nodal_values(grids[l], field),
-                    l,
-                    field);
+          auto values = space.nodal_values(field);
+          make_field(
+            *products, of_body, values, field, levels.back().fields[field]);
+          levels.back().fields[field].prescribed =
+            space.constrained_entries(field);
+          for (unsigned int l = levels.size() - 1; l-- > 0;)
+            {
+              const auto finer = std::move(values);
+              values           = nodal_values(grids[l], field);
+              make_field(*levels[l].products,
+                         grids[l],
+                         values,
+                         field,
+                         levels[l].fields[field]);
+              connect(grids[l], finer, l + 1, field);
+            }
         }
     levels.back().products = std::move(products);
   }
 
 
 
-  namespace
-  {
-    template <int dim, typename Number>
-    void
-    make_vectors(const LevelOperator<Number> &products,
-                 const Field::Block           field,
-                 LevelField<dim, Number>     &of_field)
-    {
-      for (LevelVector<Number> *vector : {&of_field.mass,
-                                          &of_field.stiffness,
-                                          &of_field.right,
-                                          &of_field.solution,
-                                          &of_field.residual,
-                                          &of_field.update})
-        *vector = products.make_vector(field);
-      if (field == Field::temperature)
-        of_field.exchange = of_field.right;
-    }
-  } // namespace
-
-
-
   template <int dim, typename Number>
   void
   MultigridLevels<dim, Number>::make_field(
-    const LevelMatrix<dim, Number> &matrix,
-    const LevelGrid<dim>           &grid,
-    const Field::Block              field,
-    LevelField<dim, Number>        &of_field) const
-  {
-    make_vectors(matrix, field, of_field);
-    for (const bool is_mass : {true, false})
-      matrix.visit_entries(
-        field,
-        is_mass,
-        !is_mass,
-        [&](const unsigned int row,
-            const unsigned int column,
-            const Number       value) {
-          if (row == column)
-            (is_mass ? of_field.mass : of_field.stiffness).local_element(row) =
-              value;
-        });
-    if (field == Field::displacement && has_subspaces())
-      of_field.subspaces =
-        make_subspaces(grid, nodal_values(grid, field), of_field);
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  MultigridLevels<dim, Number>::make_field_of_body(
-    const CellProducts<dim, Number> &products,
-    const Field::Block               field,
-    LevelField<dim, Number>         &of_field) const
-  {
-    make_vectors(products, field, of_field);
-    of_field.mass       = products.diagonal(field, 1., 0.);
-    of_field.stiffness  = products.diagonal(field, 0., 1.);
-    of_field.prescribed = body.discretization.constrained_entries(field);
-    if (field == Field::displacement && has_subspaces())
-      of_field.subspaces =
-        make_subspaces(LevelGrid<dim>(body.scene.parameters.mesh),
-                       body.discretization.nodal_values(field),
-                       of_field);
-  }
-
-
-
-  template <int dim, typename Number>
-  std::unique_ptr<const LevelSubspaces<dim, Number>>
-  MultigridLevels<dim, Number>::make_subspaces(
+    const LevelOperator<Number>        &products,
     const LevelGrid<dim>               &grid,
     const std::vector<NodalValue<dim>> &values,
-    const LevelField<dim, Number>      &of_field) const
+    const Field::Block                  field,
+    LevelField<dim, Number>            &of_field) const
   {
-    return std::make_unique<const LevelSubspaces<dim, Number>>(
-      grid, body.scene.material, of_field.right, values);
+    of_field.mass      = products.diagonal(field, 1., 0.);
+    of_field.stiffness = products.diagonal(field, 0., 1.);
+    of_field.right     = products.make_vector(field);
+    for (LevelVector<Number> *vector :
+         {&of_field.solution, &of_field.residual, &of_field.update})
+      *vector = of_field.right;
+    if (field == Field::temperature)
+      of_field.exchange = of_field.right;
+    else if (has_subspaces())
+      of_field.subspaces = std::make_unique<const LevelSubspaces<dim, Number>>(
+        grid, body.scene.material, of_field.right, values);
   }
 
 
@@ -198,7 +136,7 @@ namespace ThermoContact
     const bool               is_finest = level + 1 == levels.size();
     fine.transfer.reinit(grid,
                          fine_values,
-                         n_components(field, dim),
+                         n_components<dim>(field),
                          is_finest ? body.discretization.communicator() :
                                      MPI_COMM_SELF);
 
@@ -224,7 +162,7 @@ namespace ThermoContact
               Tolerances::rounding_of_data * fine.stiffness.local_element(i))
             exchange.local_element(i) = sums.local_element(i);
       }
-    fine.transfer.restrict_diagonal_to(coarse.exchange, exchange);
+    fine.transfer.restrict_to(coarse.exchange, exchange, true);
   }
 
 

@@ -26,9 +26,8 @@ namespace ThermoContact
                    tau + levels.scene().material.viscosity) /
                 scale)
     , scale(scale)
-    , prescribed(levels.field(level, field).prescribed)
   {
-    set_exchange();
+    set_contact({});
   }
 
 
@@ -39,37 +38,56 @@ namespace ThermoContact
                                  const LevelVector<Number> &x) const
   {
     levels.products(level).vmult(field, mass, stiffness, y, x);
-    for (const auto &[entry, spring] : springs)
-      y.local_element(entry) += spring * x.local_element(entry);
-    zero_prescribed(y);
+    complete(y, x);
   }
 
 
 
   template <int dim, typename Number>
-  Vector
-  StageBlock<dim, Number>::diagonal() const
+  std::unique_ptr<const BandFactors>
+  StageBlock<dim, Number>::factors() const
   {
-    return diagonal(stiffness, 1.);
+    const LevelMatrix<dim, double> &matrix = levels.coarse_matrix();
+    LevelVector<double> some(matrix.make_vector(field)), product(some);
+    const unsigned int  n = some.size(), band = matrix.band(field);
+    auto                result = std::make_unique<BandFactors>(n, band);
+    // columns so far from each other that their rows below do not meet
+    for (unsigned int first = 0; first < std::min(n, 2 * band + 1); ++first)
+      {
+        some = 0.;
+        for (unsigned int j = first; j < n; j += 2 * band + 1)
+          some.local_element(j) = 1.;
+        zero_prescribed(some);
+        matrix.vmult(field, mass, stiffness, product, some);
+        complete(product, some);
+        for (unsigned int j = first; j < n; j += 2 * band + 1)
+          for (unsigned int i = j; i < std::min(n, j + band + 1); ++i)
+            result->entry(i, j) = product.local_element(i);
+      }
+    for (const unsigned int entry : prescribed)
+      result->entry(entry, entry) = 1.;
+    result->factorize();
+    return result;
   }
 
 
 
   template <int dim, typename Number>
   Vector
-  StageBlock<dim, Number>::diagonal(const double stiffness,
-                                    const double at_prescribed) const
+  StageBlock<dim, Number>::diagonal(const bool has_stiffness) const
   {
     const LevelField<dim, Number> &parts = levels.field(level, field);
     Vector                         result;
     result.reinit(parts.right.get_partitioner());
     for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
-      result.local_element(i) = mass * parts.mass.local_element(i) +
-                                stiffness * parts.stiffness.local_element(i);
+      result.local_element(i) =
+        mass * parts.mass.local_element(i) +
+        (has_stiffness ? stiffness : 0.) * parts.stiffness.local_element(i);
     for (const auto &[entry, spring] : springs)
       result.local_element(entry) += spring;
     for (const unsigned int entry : prescribed)
-      result.local_element(entry) = at_prescribed;
+      result.local_element(entry) =
+        has_stiffness ? 1. : Tolerances::stiffest_spring;
     return result;
   }
 
@@ -82,8 +100,7 @@ namespace ThermoContact
     const LevelField<dim, Number> &parts = levels.field(level, field);
     if (!parts.subspaces)
       return {};
-    return SubspaceFactors<dim, Number>(
-      *parts.subspaces, stiffness, diagonal(0., Tolerances::stiffest_spring));
+    return SubspaceFactors<dim, Number>(*parts.subspaces, stiffness);
   }
 
 
@@ -92,9 +109,12 @@ namespace ThermoContact
   void
   StageBlock<dim, Number>::set_contact(const ContactRows &rows)
   {
-    prescribed = levels.field(level, field).prescribed;
+    const LevelVector<Number> &exchange = levels.field(level, field).exchange;
+    prescribed                          = levels.field(level, field).prescribed;
     springs.clear();
-    set_exchange();
+    for (unsigned int i = 0; i < exchange.locally_owned_size(); ++i)
+      if (exchange.local_element(i) > 0.)
+        springs.emplace_back(i, stiffness * exchange.local_element(i));
     for (unsigned int i = 0; i < rows.springs.locally_owned_size(); ++i)
       if (rows.springs.local_element(i) > 0.)
         springs.emplace_back(i,
@@ -103,18 +123,6 @@ namespace ThermoContact
     for (unsigned int i = 0; i < rows.held.locally_owned_size(); ++i)
       if (rows.held.local_element(i) > 0.)
         prescribed.push_back(i);
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  StageBlock<dim, Number>::set_exchange()
-  {
-    const LevelVector<Number> &exchange = levels.field(level, field).exchange;
-    for (unsigned int i = 0; i < exchange.locally_owned_size(); ++i)
-      if (exchange.local_element(i) > 0.)
-        springs.emplace_back(i, stiffness * exchange.local_element(i));
   }
 
 

@@ -84,22 +84,13 @@ namespace ThermoContact
     contact_rows(const Discretization<dim> &space,
                  const std::vector<double> &springs)
     {
-      ContactRows rows;
-      const auto  is_held = [](const double spring) {
-        return std::isinf(spring);
-      };
-      const auto resists = [](const double spring) {
-        return spring > 0. && !std::isinf(spring);
-      };
-      if (std::any_of(springs.begin(), springs.end(), is_held))
-        rows.held = space.make_vector(Field::displacement);
-      if (std::any_of(springs.begin(), springs.end(), resists))
-        rows.springs = space.make_vector(Field::displacement);
+      const Vector zero = space.make_vector(Field::displacement);
+      ContactRows  rows{zero, zero};
       for (const auto &[node, entry] :
            space.contact_end().entries(Field::displacement))
-        if (is_held(springs[node]))
+        if (std::isinf(springs[node]))
           rows.held.local_element(entry) = 1.;
-        else if (resists(springs[node]))
+        else
           rows.springs.local_element(entry) = springs[node];
       return rows;
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/multigrid/stage_multigrid.h>
 
 #include <algorithm>
@@ -59,13 +58,14 @@ namespace ThermoContact
         vector *= factor;
       };
       values = Number();
-      if (fine.springs.size() > 0)
+      if (const double largest =
+            fine.springs.size() > 0 ? fine.springs.linfty_norm() : 0.;
+          largest > 0.)
         {
           // over the largest one, so that float has room for it
-          const double largest = fine.springs.linfty_norm();
           for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
             values.local_element(i) = fine.springs.local_element(i) / largest;
-          fine_field.transfer.restrict_diagonal_to(coarse, values);
+          fine_field.transfer.restrict_to(coarse, values, true);
           set(result.springs, largest);
         }
       if (fine.held.size() > 0)
@@ -88,7 +88,6 @@ namespace ThermoContact
     : levels(levels)
     , field(field)
     , stage_levels(levels.n_levels())
-    , coarse_values(levels.field(0, field).right.size())
   {
     const unsigned int finest = levels.n_levels() - 1;
     scale = StageBlock<dim, Number>(levels, finest, field, tau)
@@ -109,40 +108,7 @@ namespace ThermoContact
                                                            steps.range);
         level.smoother->estimate_eigenvalue();
       }
-    factors_without_contact = make_factors();
-  }
-
-
-
-  template <int dim, typename Number>
-  std::unique_ptr<const BandFactors>
-  StageMultigrid<dim, Number>::make_factors() const
-  {
-    const StageBlock<dim, Number> &block = *stage_levels[0].block;
-    const unsigned int             n     = coarse_values.size();
-    std::vector<bool>              is_held(n);
-    for (const unsigned int held : block.prescribed_entries())
-      is_held[held] = true;
-    unsigned int band = 0;
-    block.visit_entries(
-      [&](const unsigned int row, const unsigned int column, const double) {
-        band = std::max(band, row > column ? row - column : 0);
-      });
-    auto factors = std::make_unique<BandFactors>(n, band);
-    block.visit_entries([&](const unsigned int row,
-                            const unsigned int column,
-                            const double       value) {
-      if (row >= column && !is_held[row] && !is_held[column])
-        factors->entry(row, column) += value;
-    });
-    for (const unsigned int held : block.prescribed_entries())
-      factors->entry(held, held) = 1.;
-    if (!factors->factorize())
-      throw ComputationError(
-        "the coarsest level of multigrid is not positive\n"
-        "  remedy:  check the coefficients of section Model, the mesh and "
-        "Time/Step size for extreme values");
-    return factors;
+    factors_without_contact = stage_levels[0].block->factors();
   }
 
 
@@ -180,24 +146,7 @@ namespace ThermoContact
     has_contact = true;
     set_rows(levels.n_levels() - 1, *rows);
     if (!are_as_before || !factors_with_contact)
-      factors_with_contact = make_factors();
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  StageMultigrid<dim, Number>::solve_coarse() const
-  {
-    const LevelField<dim, Number> &vectors = levels.field(0, field);
-    std::copy(vectors.right.begin(),
-              vectors.right.begin() + coarse_values.size(),
-              coarse_values.begin());
-    (has_contact ? factors_with_contact : factors_without_contact)
-      ->solve(coarse_values);
-    std::copy(coarse_values.begin(),
-              coarse_values.end(),
-              vectors.solution.begin());
+      factors_with_contact = stage_levels[0].block->factors();
   }
 
 
@@ -206,19 +155,24 @@ namespace ThermoContact
   void
   StageMultigrid<dim, Number>::cycle(const unsigned int l) const
   {
+    const LevelField<dim, Number> &vectors = levels.field(l, field);
     if (l == 0)
       {
-        solve_coarse();
+        coarse_values.assign(vectors.right.begin(), vectors.right.end());
+        (has_contact ? factors_with_contact : factors_without_contact)
+          ->solve(coarse_values);
+        std::copy(coarse_values.begin(),
+                  coarse_values.end(),
+                  vectors.solution.begin());
         return;
       }
-    const LevelField<dim, Number> &vectors  = levels.field(l, field);
     const LevelField<dim, Number> &coarse   = levels.field(l - 1, field);
     const Level                   &level    = stage_levels[l];
     LevelVector<Number>           &residual = vectors.residual;
     LevelVector<Number>           &solution = vectors.solution;
-    level.smoother->smooth_zero(solution,
-                                vectors.right,
-                                {residual, vectors.update});
+    const typename ChebyshevSmoother<dim, Number>::Work work{residual,
+                                                             vectors.update};
+    level.smoother->smooth(solution, vectors.right, work, true);
     level.block->vmult(residual, solution);
     residual.sadd(-1., vectors.right);
     vectors.transfer.restrict_to(coarse.right, residual);
@@ -226,7 +180,7 @@ namespace ThermoContact
     cycle(l - 1);
     vectors.transfer.prolongate_and_add(solution, coarse.solution);
     level.block->zero_prescribed(solution);
-    level.smoother->smooth(solution, vectors.right, {residual, vectors.update});
+    level.smoother->smooth(solution, vectors.right, work, false);
   }
 
 

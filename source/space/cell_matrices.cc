@@ -43,6 +43,7 @@ namespace ThermoContact
                           (dim == 1 || scene.lateral_exchange == 0. ?
                              1. :
                              discretization.geometry().area_over_perimeter()))
+    // cells of bodies are not asked, and their full rule would be large
     , cell_values(discretization.mapping(),
                   discretization.finite_element(),
                   QGauss<dim>(dim == 1 ? discretization.degree() + 1 : 1),

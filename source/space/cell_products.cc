@@ -75,29 +75,21 @@ namespace ThermoContact
 
 
 
-    /** Names for parts of a scratch array, one array of a cell each. */
+    /** What a point of the cells of a batch has. */
     template <int dim, typename Number>
-    std::array<std::array<Lanes<Number> *, dim>, dim>
-    gradients_in(Lanes<Number> *scratch, const unsigned int n_nodes)
+    struct CellPoint
     {
-      std::array<std::array<Lanes<Number> *, dim>, dim> gradients;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          gradients[c][d] = scratch + (c * dim + d) * n_nodes;
-      return gradients;
-    }
-
-
-
-    /** What a point contributes to the momentum, with its factors. */
-    template <typename Number>
-    struct MomentumPoint
-    {
-      Lanes<Number> mass[3];
-      Lanes<Number> mu;
-      Lanes<Number> lambda;
-      Lanes<Number> hoop; ///< strain per displacement along y
+      Lanes<Number> inverse_size[dim];
+      bool          has_axial_mass;
+      Lanes<Number> weight{};
+      Lanes<Number> hoop{}; ///< strain per displacement along y
     };
+
+    template <int dim, typename Number>
+    using CellValues = std::array<Lanes<Number> *, dim>;
+
+    template <int dim, typename Number>
+    using CellGradients = std::array<CellValues<dim, Number>, dim>;
 
 
 
@@ -105,40 +97,42 @@ namespace ThermoContact
      * Replaces displacement and gradient at a quadrature point by what the test
      * functions and their derivatives are multiplied by.
      */
-    template <int dim, bool is_radial, typename Number>
+    template <int dim, typename Number>
     inline __attribute__((always_inline)) void
-    momentum_at_point(
-      const MomentumPoint<Number>                             &point,
-      const Lanes<Number>                                     *inverse_size,
-      const std::array<Lanes<Number> *, dim>                  &u,
-      const std::array<std::array<Lanes<Number> *, dim>, dim> &gradient,
-      const unsigned int                                       q)
+    momentum_at_point(const CellPoint<dim, Number>     &point,
+                      const Number                      mass,
+                      const Number                      mu_,
+                      const Number                      lambda,
+                      const bool                        is_radial,
+                      const CellValues<dim, Number>    &u,
+                      const CellGradients<dim, Number> &gradient,
+                      const unsigned int                q)
     {
-      Lanes<Number> e[dim][dim];
+      const Lanes<Number> mu = point.weight * mu_;
+      Lanes<Number>       e[dim][dim];
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int d = 0; d < dim; ++d)
-          e[c][d] = gradient[c][d][q] * inverse_size[d];
+          e[c][d] = gradient[c][d][q] * point.inverse_size[d];
       Lanes<Number> dilatation = e[0][0] + e[1][1];
       if constexpr (dim == 3)
         dilatation += e[2][2];
-      const Lanes<Number> strain =
-        is_radial ? point.hoop * u[1][q] : Lanes<Number>{};
-      if constexpr (is_radial)
+      const Lanes<Number> strain = point.hoop * u[1][q];
+      if (is_radial)
         dilatation += strain;
-      const Lanes<Number> pressure = point.lambda * dilatation;
+      const Lanes<Number> pressure = point.weight * lambda * dilatation;
       for (unsigned int c = 0; c < dim; ++c)
-        u[c][q] *= point.mass[c];
-      if constexpr (is_radial)
-        u[1][q] += point.hoop * (point.mu * (strain + strain) + pressure);
+        u[c][q] *= point.weight * (c > 0 || point.has_axial_mass ? mass : 0);
+      if (is_radial)
+        u[1][q] += point.hoop * (mu * (strain + strain) + pressure);
       for (unsigned int c = 0; c < dim; ++c)
         {
           gradient[c][c][q] =
-            (point.mu * (e[c][c] + e[c][c]) + pressure) * inverse_size[c];
+            (mu * (e[c][c] + e[c][c]) + pressure) * point.inverse_size[c];
           for (unsigned int d = c + 1; d < dim; ++d)
             {
-              const Lanes<Number> shear = point.mu * (e[c][d] + e[d][c]);
-              gradient[c][d][q]         = shear * inverse_size[d];
-              gradient[d][c][q]         = shear * inverse_size[c];
+              const Lanes<Number> shear = mu * (e[c][d] + e[d][c]);
+              gradient[c][d][q]         = shear * point.inverse_size[d];
+              gradient[d][c][q]         = shear * point.inverse_size[c];
             }
         }
     }
@@ -147,171 +141,107 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
-  inline Lanes<Number>
-  CellProducts<dim, Number>::weight(const unsigned int b,
-                                    const unsigned int q,
-                                    const bool         is_of_mesh) const
-  {
-    const Lanes<Number> weight = Lanes<Number>::in(weights.begin())[q] *
-                                 *Lanes<Number>::in(batches[b].volume.data());
-    return radial.empty() || is_of_mesh ?
-             weight :
-             weight * Lanes<Number>::in(radial.begin())[2 * (b * n + q / n)];
-  }
-
-
-
-  template <int dim, typename Number>
-  inline Lanes<Number>
-  CellProducts<dim, Number>::hoop(const unsigned int b,
-                                  const unsigned int q) const
-  {
-    return Lanes<Number>::in(radial.begin())[2 * (b * n + q / n) + 1];
-  }
-
-
-
-  template <int dim, typename Number>
-  template <int n_static>
+  template <int                                             n_static,
+            int                                             n_from,
+            typename CellProducts<dim, Number>::Derivatives of_from,
+            int                                             n_to,
+            typename CellProducts<dim, Number>::Derivatives of_to,
+            typename AtPoint>
   void
-  CellProducts<dim, Number>::scalar_on_cells(const Field::Block   field,
-                                             const unsigned int   component,
-                                             const Factors       &factors,
-                                             LevelVector<Number> &y,
-                                             const LevelVector<Number> &x) const
-  {
-    using Batched              = Lanes<Number>;
-    const int          n_line  = n_static > 0 ? n_static : int(n);
-    const unsigned int n_point = power_of(n_line, dim);
-    const FieldCells  &cells   = fields[field];
-    Batched           *theta   = reinterpret_cast<Batched *>(scratch.begin());
-    const std::array<Batched *, dim> gradient =
-      gradients_in<dim>(theta + n_point, n_point)[0];
-    const Batched *points    = Batched::in(weights.begin());
-    const Number   mass_part = has_lumped_mass ? 0. : factors.mass;
-    const Number   flow_part = factors.stiffness;
-    for (unsigned int b = first_batch(factors); b < batches.size(); ++b)
-      {
-        const Batch        &batch = batches[b];
-        const unsigned int *positions =
-          cells.positions.data() + b * n_point * n_lanes;
-        gather<1>(
-          x.begin(), positions, strides.data(), n_point, theta, component);
-        apply_along_all<dim, n_static>(Batched::in(values.begin()),
-                                       theta,
-                                       n_line);
-        differentiate<dim, n_static>(Batched::in(derivatives.begin()),
-                                     theta,
-                                     gradient,
-                                     n_line);
-        const Batched  volume = *Batched::in(batch.volume.data());
-        const Batched *radii  = Batched::in(radial.begin()) + 2 * b * n_line;
-        const bool     is_weighted = !radial.empty() && !factors.is_of_mesh;
-        Batched        factor[dim];
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            factor[d] = *Batched::in(batch.inverse_size[d].data());
-            factor[d] *= factor[d] * flow_part;
-          }
-        for (unsigned int q = 0; q < n_point; ++q)
-          {
-            Batched weight = points[q] * volume;
-            if (is_weighted)
-              weight *= radii[2 * (q / n_line)];
-            theta[q] *= weight * mass_part;
-            for (unsigned int d = 0; d < dim; ++d)
-              gradient[d][q] *= weight * factor[d];
-          }
-        add_transposed<dim, n_static>(
-          Batched::in(derivatives_transposed.begin()), gradient, theta, n_line);
-        apply_along_all<dim, n_static>(Batched::in(values_transposed.begin()),
-                                       theta,
-                                       n_line);
-        scatter<1>(theta,
-                   positions,
-                   strides.data(),
-                   n_point,
-                   batch.n_cells,
-                   y.begin(),
-                   component);
-      }
-  }
-
-
-
-  template <int dim, typename Number>
-  template <int n_static, bool is_radial>
-  void
-  CellProducts<dim, Number>::momentum_on_cells(
-    const Factors             &factors,
-    LevelVector<Number>       &y,
-    const LevelVector<Number> &x) const
+  CellProducts<dim, Number>::sum_over_cells(const Operator             op,
+                                            const Factors             &factors,
+                                            LevelVector<Number>       &y,
+                                            const LevelVector<Number> &x,
+                                            const AtPoint &at_point) const
   {
     using Batched                = Lanes<Number>;
     const int          n_line    = n_static > 0 ? n_static : int(n);
     const unsigned int n_point   = power_of(n_line, dim);
-    const FieldCells  &cells     = fields[Field::displacement];
     Batched           *values_at = reinterpret_cast<Batched *>(scratch.begin());
-    std::array<Batched *, dim> u;
+    const auto         in        = [](const AlignedVector<Number> &matrix) {
+      return Batched::in(matrix.begin());
+    };
+    CellValues<dim, Number>    u;
+    CellGradients<dim, Number> gradient;
     for (unsigned int c = 0; c < dim; ++c)
-      u[c] = values_at + c * n_point;
-    const auto     gradient  = gradients_in<dim>(u[0] + dim * n_point, n_point);
-    const Batched *points    = Batched::in(weights.begin());
-    const Number   mass_part = has_lumped_mass ? 0. : factors.mass;
-    const Number   mu        = 0.5 * factors.stiffness * material.two_mu;
-    const Number   lambda    = factors.stiffness * material.lambda;
-    for (unsigned int b = first_batch(factors); b < batches.size(); ++b)
       {
-        const Batch        &batch = batches[b];
-        const unsigned int *positions =
-          cells.positions.data() + b * n_point * n_lanes;
-        gather<dim>(x.begin(), positions, strides.data(), n_point, values_at);
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            apply_along_all<dim, n_static>(Batched::in(values.begin()),
-                                           u[c],
-                                           n_line);
-            differentiate<dim, n_static>(Batched::in(derivatives.begin()),
-                                         u[c],
-                                         gradient[c],
-                                         n_line);
-          }
-        const Batched  volume = *Batched::in(batch.volume.data());
-        const Batched *radii  = Batched::in(radial.begin()) + 2 * b * n_line;
-        Batched        inverse_size[dim];
+        u[c] = values_at + c * n_point;
         for (unsigned int d = 0; d < dim; ++d)
-          inverse_size[d] = *Batched::in(batch.inverse_size[d].data());
+          gradient[c][d] = values_at + ((c + 1) * dim + d) * n_point;
+      }
+    const Field::Block from = n_from == 1 ? factors.field : Field::displacement;
+    const Field::Block to   = n_to == 1 ? factors.field : Field::displacement;
+    const bool         is_radial = dim == 2 && is_weighted(op);
+    for (unsigned int b = factors.is_at_end ? first_at_end : 0;
+         b < batches.size();
+         ++b)
+      {
+        const Batch      &batch = batches[b];
+        const std::size_t first = std::size_t(b) * n_point * n_lanes;
+        gather<n_from>(x.begin(),
+                       &fields[from].positions[first],
+                       strides.data(),
+                       n_point,
+                       values_at,
+                       factors.component);
+        for (int c = 0; c < n_from; ++c)
+          {
+            apply_along_all<dim, n_static>(in(values), u[c], n_line);
+            if constexpr (of_from == Derivatives::all)
+              differentiate<dim, n_static>(in(derivatives),
+                                           u[c],
+                                           gradient[c],
+                                           n_line);
+          }
+        if constexpr (of_from == Derivatives::own)
+          along_all<n_from>([&](const auto number) {
+            constexpr int c = decltype(number)::value;
+            apply_along<dim, c, n_static, false>(in(derivatives),
+                                                 u[c],
+                                                 gradient[c][c],
+                                                 n_line);
+          });
+        CellPoint<dim, Number> point;
+        point.has_axial_mass = batch.has_axial_mass;
+        for (unsigned int d = 0; d < dim; ++d)
+          point.inverse_size[d] = *Batched::in(batch.inverse_size[d].data());
+        const Batched  volume = *Batched::in(batch.volume.data());
+        const Batched *points = Batched::in(weights.begin());
+        const Batched *radii  = Batched::in(radial.begin()) + 2 * b * n_line;
         for (unsigned int q = 0; q < n_point; ++q)
           {
-            Batched weight = points[q] * volume;
-            if constexpr (is_radial)
-              weight *= radii[2 * (q / n_line)];
-            MomentumPoint<Number> point;
-            point.mass[0] = weight * (batch.has_axial_mass ? mass_part : 0);
-            point.mass[1] = point.mass[2] = weight * mass_part;
-            point.mu                      = weight * mu;
-            point.lambda                  = weight * lambda;
-            if constexpr (is_radial)
-              point.hoop = radii[2 * (q / n_line) + 1];
-            momentum_at_point<dim, is_radial>(
-              point, inverse_size, u, gradient, q);
+            point.weight = points[q] * volume;
+            if (is_radial)
+              {
+                point.weight *= radii[2 * (q / n_line)];
+                point.hoop = radii[2 * (q / n_line) + 1];
+              }
+            at_point(point, u, gradient, q);
           }
-        for (unsigned int c = 0; c < dim; ++c)
+        if constexpr (of_to == Derivatives::own)
+          along_all<n_to>([&](const auto number) {
+            constexpr int c = decltype(number)::value;
+            apply_along<dim, c, n_static, true>(in(derivatives_transposed),
+                                                gradient[c][c],
+                                                u[c],
+                                                n_line);
+          });
+        for (int c = 0; c < n_to; ++c)
           {
-            add_transposed<dim, n_static>(Batched::in(
-                                            derivatives_transposed.begin()),
-                                          gradient[c],
-                                          u[c],
-                                          n_line);
-            apply_along_all<dim, n_static>(
-              Batched::in(values_transposed.begin()), u[c], n_line);
+            if constexpr (of_to == Derivatives::all)
+              add_transposed<dim, n_static>(in(derivatives_transposed),
+                                            gradient[c],
+                                            u[c],
+                                            n_line);
+            apply_along_all<dim, n_static>(in(values_transposed), u[c], n_line);
           }
-        scatter<dim>(values_at,
-                     positions,
-                     strides.data(),
-                     n_point,
-                     batch.n_cells,
-                     y.begin());
+        scatter<n_to>(values_at,
+                      &fields[to].positions[first],
+                      strides.data(),
+                      n_point,
+                      batch.n_cells,
+                      y.begin(),
+                      factors.component);
       }
   }
 
@@ -320,154 +250,107 @@ namespace ThermoContact
   template <int dim, typename Number>
   template <int n_static>
   void
-  CellProducts<dim, Number>::divergence_on_cells(
-    LevelVector<Number>       &heat,
-    const LevelVector<Number> &u) const
+  CellProducts<dim, Number>::add_cells_of(const Operator             op,
+                                          const Factors             &factors,
+                                          LevelVector<Number>       &y,
+                                          const LevelVector<Number> &x) const
   {
-    using Batched              = Lanes<Number>;
-    const int          n_line  = n_static > 0 ? n_static : int(n);
-    const unsigned int n_point = power_of(n_line, dim);
-    Batched           *at      = reinterpret_cast<Batched *>(scratch.begin());
-    Batched           *change  = at + dim * n_point;
-    Batched           *sum     = change + n_point;
-    for (unsigned int b = 0; b < batches.size(); ++b)
+    constexpr auto all = Derivatives::all, own = Derivatives::own,
+                   none    = Derivatives::none;
+    const Number mass      = has_lumped_mass ? 0. : factors.mass;
+    const Number stiffness = factors.stiffness;
+    const Number mu        = 0.5 * stiffness * material.two_mu,
+                 lambda    = stiffness * material.lambda;
+    const bool is_radial   = dim == 2 && is_weighted(op);
+    switch (op)
       {
-        const std::size_t first = b * n_point * n_lanes;
-        gather<dim>(u.begin(),
-                    &fields[Field::displacement].positions[first],
-                    strides.data(),
-                    n_point,
-                    at);
-        std::fill_n(sum, n_point, Batched{});
-        const auto add = [&](const auto direction) {
-          constexpr int  d         = decltype(direction)::value;
-          Batched *const component = at + d * n_point;
-          apply_along_all<dim, n_static>(Batched::in(values.begin()),
-                                         component,
-                                         n_line);
-          apply_along<dim, d, n_static, false>(Batched::in(derivatives.begin()),
-                                               component,
-                                               change,
-                                               n_line);
-          const Batched inverse_size =
-            *Batched::in(batches[b].inverse_size[d].data());
-          for (unsigned int q = 0; q < n_point; ++q)
-            sum[q] += inverse_size * change[q];
-          if (d == 1 && !radial.empty())
-            for (unsigned int q = 0; q < n_point; ++q)
-              sum[q] += hoop(b, q) * component[q];
-        };
-        along_all<dim>(add);
-        for (unsigned int q = 0; q < n_point; ++q)
-          sum[q] *= weight(b, q);
-        apply_along_all<dim, n_static>(Batched::in(values_transposed.begin()),
-                                       sum,
-                                       n_line);
-        scatter<1>(sum,
-                   &fields[Field::temperature].positions[first],
-                   strides.data(),
-                   n_point,
-                   batches[b].n_cells,
-                   heat.begin());
+        case OnGrid::heat:
+        case OnGrid::laplacian:
+          sum_over_cells<n_static, 1, all, 1, all>(
+            op,
+            factors,
+            y,
+            x,
+            [&](const auto        &point,
+                const auto        &u,
+                const auto        &gradient,
+                const unsigned int q) __attribute__((always_inline)) {
+              u[0][q] *= point.weight * mass;
+              for (unsigned int d = 0; d < dim; ++d)
+                gradient[0][d][q] *= point.weight * stiffness *
+                                     point.inverse_size[d] *
+                                     point.inverse_size[d];
+            });
+          break;
+        case OnGrid::momentum:
+          sum_over_cells<n_static, dim, all, dim, all>(
+            op,
+            factors,
+            y,
+            x,
+            [&](const auto        &point,
+                const auto        &u,
+                const auto        &gradient,
+                const unsigned int q) __attribute__((always_inline)) {
+              momentum_at_point<dim>(
+                point, mass, mu, lambda, is_radial, u, gradient, q);
+            });
+          break;
+        case OnGrid::divergence:
+          sum_over_cells<n_static, dim, own, 1, none>(
+            op,
+            factors,
+            y,
+            x,
+            [&](const auto        &point,
+                const auto        &u,
+                const auto        &gradient,
+                const unsigned int q) __attribute__((always_inline)) {
+              Lanes<Number> sum{};
+              for (unsigned int d = 0; d < dim; ++d)
+                sum += point.inverse_size[d] * gradient[d][d][q];
+              if (is_radial)
+                sum += point.hoop * u[1][q];
+              u[0][q] = point.weight * sum;
+            });
+          break;
+        case OnGrid::thermal_stress:
+          sum_over_cells<n_static, 1, none, dim, own>(
+            op,
+            factors,
+            y,
+            x,
+            [&](const auto        &point,
+                const auto        &u,
+                const auto        &gradient,
+                const unsigned int q) __attribute__((always_inline)) {
+              const Lanes<Number> stress = point.weight * u[0][q];
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  gradient[d][d][q] = point.inverse_size[d] * stress;
+                  u[d][q]           = Lanes<Number>{};
+                }
+              if (is_radial)
+                u[1][q] = point.hoop * stress;
+            });
+          break;
       }
   }
 
 
 
   template <int dim, typename Number>
-  template <int n_static>
   void
-  CellProducts<dim, Number>::thermal_stress_on_cells(
-    LevelVector<Number>       &momentum,
-    const LevelVector<Number> &theta) const
-  {
-    using Batched              = Lanes<Number>;
-    const int          n_line  = n_static > 0 ? n_static : int(n);
-    const unsigned int n_point = power_of(n_line, dim);
-    Batched           *at      = reinterpret_cast<Batched *>(scratch.begin());
-    Batched           *stress  = at + dim * n_point;
-    Batched           *change  = stress + n_point;
-    for (unsigned int b = 0; b < batches.size(); ++b)
-      {
-        const std::size_t first = b * n_point * n_lanes;
-        gather<1>(theta.begin(),
-                  &fields[Field::temperature].positions[first],
-                  strides.data(),
-                  n_point,
-                  stress);
-        apply_along_all<dim, n_static>(Batched::in(values.begin()),
-                                       stress,
-                                       n_line);
-        for (unsigned int q = 0; q < n_point; ++q)
-          stress[q] *= weight(b, q);
-        const auto add = [&](const auto direction) {
-          constexpr int  d         = decltype(direction)::value;
-          Batched *const component = at + d * n_point;
-          const Batched  inverse_size =
-            *Batched::in(batches[b].inverse_size[d].data());
-          for (unsigned int q = 0; q < n_point; ++q)
-            change[q] = inverse_size * stress[q];
-          apply_along<dim, d, n_static, false>(
-            Batched::in(derivatives_transposed.begin()),
-            change,
-            component,
-            n_line);
-          if (d == 1 && !radial.empty())
-            for (unsigned int q = 0; q < n_point; ++q)
-              component[q] += hoop(b, q) * stress[q];
-          apply_along_all<dim, n_static>(Batched::in(values_transposed.begin()),
-                                         component,
-                                         n_line);
-        };
-        along_all<dim>(add);
-        scatter<dim>(at,
-                     &fields[Field::displacement].positions[first],
-                     strides.data(),
-                     n_point,
-                     batches[b].n_cells,
-                     momentum.begin());
-      }
-  }
-
-
-
-  template <int dim, typename Number>
-  template <typename Kernel>
-  void
-  CellProducts<dim, Number>::sum_up(LevelVector<Number>       &y,
-                                    const LevelVector<Number> &x,
-                                    const Kernel              &kernel) const
-  {
-    y = Number();
-    x.update_ghost_values();
-    if (n == 2)
-      kernel(std::integral_constant<int, 2>());
-    else if (n == 3)
-      kernel(std::integral_constant<int, 3>());
-    else if (n == 5)
-      kernel(std::integral_constant<int, 5>());
-    else
-      kernel(std::integral_constant<int, 0>());
-    x.zero_out_ghost_values();
-    y.compress(VectorOperation::add);
-  }
-
-
-
-  template <int dim, typename Number>
-  template <int n_static>
-  void
-  CellProducts<dim, Number>::add_cells(const Field::Block         field,
+  CellProducts<dim, Number>::add_cells(const Operator             op,
                                        const Factors             &factors,
                                        LevelVector<Number>       &y,
                                        const LevelVector<Number> &x) const
   {
-    if (field == Field::temperature)
-      scalar_on_cells<n_static>(field, 0, factors, y, x);
-    else if (dim == 2 && !radial.empty())
-      momentum_on_cells<n_static, dim == 2>(factors, y, x);
-    else
-      momentum_on_cells<n_static, false>(factors, y, x);
+    const auto add = n == 2 ? &CellProducts::add_cells_of<2> :
+                     n == 3 ? &CellProducts::add_cells_of<3> :
+                     n == 5 ? &CellProducts::add_cells_of<5> :
+                              &CellProducts::add_cells_of<0>;
+    (this->*add)(op, factors, y, x);
   }
 
 
@@ -490,6 +373,37 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
+  template <typename Add>
+  void
+  CellProducts<dim, Number>::sum_up(LevelVector<Number>       &y,
+                                    const LevelVector<Number> &x,
+                                    const Add                 &add) const
+  {
+    y = Number();
+    x.update_ghost_values();
+    add();
+    x.zero_out_ghost_values();
+    y.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  CellProducts<dim, Number>::add_product(const Operator             op,
+                                         const Factors             &factors,
+                                         LevelVector<Number>       &y,
+                                         const LevelVector<Number> &x) const
+  {
+    if (is_by_planes)
+      on_grid->add(op, factors.mass, factors.stiffness, y.begin(), x.begin());
+    else
+      add_cells(op, factors, y, x);
+  }
+
+
+
+  template <int dim, typename Number>
   void
   CellProducts<dim, Number>::vmult(const Field::Block         field,
                                    const double               mass,
@@ -497,16 +411,8 @@ namespace ThermoContact
                                    LevelVector<Number>       &y,
                                    const LevelVector<Number> &x) const
   {
-    sum_up(y, x, [&](const auto size) {
-      if (on_grid)
-        on_grid->add(field == Field::temperature ? OnGrid::heat :
-                                                   OnGrid::momentum,
-                     mass,
-                     stiffness,
-                     y.begin(),
-                     x.begin());
-      else
-        add_cells<decltype(size)::value>(field, {mass, stiffness}, y, x);
+    sum_up(y, x, [&] {
+      add_product(OnGrid::of(field), {mass, stiffness}, y, x);
       visit_faces(field,
                   mass,
                   stiffness,
@@ -531,9 +437,9 @@ namespace ThermoContact
                                        LevelVector<Number>       &y,
                                        const LevelVector<Number> &x) const
   {
-    sum_up(y, x, [&](const auto size) {
-      for (unsigned int c = 0; c < n_components(field); ++c)
-        scalar_on_cells<decltype(size)::value>(field, c, {0., 1., true}, y, x);
+    sum_up(y, x, [&] {
+      for (unsigned int c = 0; c < n_components<dim>(field); ++c)
+        add_cells(OnGrid::laplacian, {0., 1., false, field, c}, y, x);
     });
   }
 
@@ -544,11 +450,8 @@ namespace ThermoContact
   CellProducts<dim, Number>::divergence(LevelVector<Number>       &heat,
                                         const LevelVector<Number> &u) const
   {
-    sum_up(heat, u, [&](const auto size) {
-      if (on_grid)
-        on_grid->add(OnGrid::divergence, 0., 1., heat.begin(), u.begin());
-      else
-        divergence_on_cells<decltype(size)::value>(heat, u);
+    sum_up(heat, u, [&] {
+      add_product(OnGrid::divergence, {0., 1.}, heat, u);
     });
   }
 
@@ -560,12 +463,8 @@ namespace ThermoContact
     LevelVector<Number>       &momentum,
     const LevelVector<Number> &theta) const
   {
-    sum_up(momentum, theta, [&](const auto size) {
-      if (on_grid)
-        on_grid->add(
-          OnGrid::thermal_stress, 0., 1., momentum.begin(), theta.begin());
-      else
-        thermal_stress_on_cells<decltype(size)::value>(momentum, theta);
+    sum_up(momentum, theta, [&] {
+      add_product(OnGrid::thermal_stress, {0., 1.}, momentum, theta);
     });
   }
 
@@ -577,7 +476,7 @@ namespace ThermoContact
     LevelVector<Number>       &y,
     const LevelVector<Number> &x) const
   {
-    sum_up(y, x, [&](const auto) {
+    sum_up(y, x, [&] {
       for (const Entry &entry : fields[Field::temperature].at_sides)
         y.begin()[entry.row] += entry.value * x.begin()[entry.column];
     });
@@ -591,83 +490,7 @@ namespace ThermoContact
     LevelVector<Number>       &y,
     const LevelVector<Number> &x) const
   {
-    sum_up(y, x, [&](const auto size) {
-      add_cells<decltype(size)::value>(Field::displacement,
-                                       {0., 1., false, true},
-                                       y,
-                                       x);
-    });
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  CellProducts<dim, Number>::add_diagonal(const Field::Block   field,
-                                          const Factors       &factors,
-                                          LevelVector<Number> &y) const
-  {
-    using Batched         = Lanes<Number>;
-    const bool is_elastic = field == Field::displacement && !factors.is_of_mesh;
-    const bool has_hoop   = is_elastic && !radial.empty();
-    const Number shear =
-      (is_elastic ? 0.5 * material.two_mu : 1.) * factors.stiffness;
-    const Number lambda = is_elastic ? material.lambda * factors.stiffness : 0.;
-    const Number normal = is_elastic ? 2 * shear + lambda : shear;
-    Batched *const sum  = reinterpret_cast<Batched *>(scratch.begin());
-    Batched *const terms = sum + n_nodes;
-    for (unsigned int b = first_batch(factors); b < batches.size(); ++b)
-      for (unsigned int c = 0; c < n_components(field); ++c)
-        {
-          const Batch &batch = batches[b];
-          // squares of a basis function, of another kind along one direction
-          const auto add = [&](const unsigned int along,
-                               const Square       kind,
-                               const auto        &factor) {
-            for (unsigned int q = 0; q < n_nodes; ++q)
-              terms[q] = weight(b, q, factors.is_of_mesh) * factor(q);
-            along_all<dim>([&](const auto direction) {
-              constexpr int d = decltype(direction)::value;
-              apply_along<dim, d, 0, false>(
-                Batched::in(squares[d == int(along) ? kind : of_value].begin()),
-                terms,
-                terms,
-                n);
-            });
-            for (unsigned int i = 0; i < n_nodes; ++i)
-              sum[i] += terms[i];
-          };
-          const bool has_mass =
-            !has_lumped_mass &&
-            (field == Field::temperature || c > 0 || batch.has_axial_mass);
-          std::fill_n(sum, n_nodes, Batched{});
-          add(0, of_value, [&](const unsigned int q) {
-            Batched factor = Batched::all(has_mass ? factors.mass : 0.);
-            if (has_hoop && c == 1)
-              factor += hoop(b, q) * hoop(b, q) * normal;
-            return factor;
-          });
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const Batched per_size =
-                *Batched::in(batch.inverse_size[d].data());
-              add(d, of_derivative, [&](const unsigned int) {
-                return per_size * per_size * (c == d ? normal : shear);
-              });
-              if (has_hoop && c == 1 && d == 1)
-                add(d, of_both, [&](const unsigned int q) {
-                  return per_size * hoop(b, q) * (2 * lambda);
-                });
-            }
-          scatter<1>(
-            sum,
-            &fields[field].positions[std::size_t(b) * n_nodes * n_lanes],
-            strides.data(),
-            n_nodes,
-            batch.n_cells,
-            y.begin(),
-            c);
-        }
+    sum_up(y, x, [&] { add_cells(OnGrid::momentum, {0., 1., true}, y, x); });
   }
 
 
@@ -679,7 +502,6 @@ namespace ThermoContact
                                       const double       stiffness) const
   {
     LevelVector<Number> result = make_vector(field);
-    add_diagonal(field, {mass, stiffness}, result);
     visit_faces(field,
                 mass,
                 stiffness,
@@ -690,6 +512,7 @@ namespace ThermoContact
                     result.begin()[row] += value;
                 });
     result.compress(VectorOperation::add);
+    add_diagonal(OnGrid::of(field), mass, stiffness, field, result);
     if (fields[field].lumped_mass.size() > 0)
       result.add(mass, fields[field].lumped_mass);
     return result;
@@ -702,21 +525,28 @@ namespace ThermoContact
   CellProducts<dim, Number>::laplacian_diagonal(const Field::Block field) const
   {
     LevelVector<Number> result = make_vector(field);
-    add_diagonal(field, {0., 1., true}, result);
-    result.compress(VectorOperation::add);
+    add_diagonal(OnGrid::laplacian, 0., 1., field, result);
     return result;
   }
 
 
 
   template <int dim, typename Number>
-  LevelVector<Number>
-  CellProducts<dim, Number>::contact_stiffness_diagonal() const
+  void
+  CellProducts<dim, Number>::add_diagonal(const Operator       op,
+                                          const double         mass,
+                                          const double         stiffness,
+                                          const Field::Block   field,
+                                          LevelVector<Number> &y) const
   {
-    LevelVector<Number> result = make_vector(Field::displacement);
-    add_diagonal(Field::displacement, {0., 1., false, true}, result);
-    result.compress(VectorOperation::add);
-    return result;
+    const auto &values = discretization.nodal_values(field);
+    for (unsigned int i = 0; i < values.size(); ++i)
+      y.local_element(i) += on_grid->diagonal_entry(
+        op,
+        op == OnGrid::momentum ? values[i].component : 0,
+        on_grid->grid.index(on_grid->grid.number(values[i].node)),
+        mass,
+        stiffness);
   }
 
 
@@ -756,6 +586,8 @@ namespace ThermoContact
     , n(discretization.degree() + 1)
     , n_nodes(Utilities::fixed_power<dim>(n))
     , has_lumped_mass(scene.has_lumped_mass)
+    , is_by_planes(n == 2 && Utilities::MPI::n_mpi_processes(
+                               discretization.communicator()) == 1)
     , scratch((dim + dim * dim) * n_nodes * n_lanes)
   {
     tabulate();
@@ -773,22 +605,11 @@ namespace ThermoContact
             collect_lumped_mass(field, cells);
         }
     collect_faces(scene);
-    if (n == 2 &&
-        Utilities::MPI::n_mpi_processes(discretization.communicator()) == 1)
-      make_grid_products(scene);
-  }
-
-
-
-  template <int dim, typename Number>
-  void
-  CellProducts<dim, Number>::make_grid_products(const Scene &scene)
-  {
     const LevelGrid<dim> grid(scene.parameters.mesh);
     std::array<std::vector<unsigned int>, 2>
       entries; // of their first component
     for (const Field::Block field : all_fields)
-      if (discretization.has_field(field))
+      if (is_by_planes && discretization.has_field(field))
         {
           const auto &values = discretization.nodal_values(field);
           entries[field].resize(grid.n_nodes());
@@ -796,7 +617,7 @@ namespace ThermoContact
             if (values[i].component == 0)
               entries[field][grid.number(values[i].node)] = i;
         }
-    on_grid = std::make_unique<const OnGrid>(scene, geometry, grid, entries);
+    on_grid = std::make_unique<const OnGrid>(scene, geometry, grid, &entries);
   }
 
 
@@ -828,11 +649,6 @@ namespace ThermoContact
                           at_points[j].derivative().value(rule.point(i)[0]));
           append<n_lanes>(derivatives_transposed,
                           at_points[i].derivative().value(rule.point(j)[0]));
-          const double value = nodal[i].value(rule.point(j)[0]);
-          const double slope = nodal[i].derivative().value(rule.point(j)[0]);
-          append<n_lanes>(squares[of_value], value * value);
-          append<n_lanes>(squares[of_both], value * slope);
-          append<n_lanes>(squares[of_derivative], slope * slope);
         }
     const Quadrature<dim> of_cell(rule);
     for (const double weight : of_cell.get_weights())
@@ -934,7 +750,7 @@ namespace ThermoContact
     cell->get_dof_indices(dofs);
     std::vector<unsigned int> positions(n_nodes);
     for (unsigned int i = 0; i < n_nodes; ++i)
-      for (unsigned int c = 0; c < n_components(field); ++c)
+      for (unsigned int c = 0; c < n_components<dim>(field); ++c)
         {
           const unsigned int at =
             position(field,
@@ -999,7 +815,8 @@ namespace ThermoContact
               Point<dim> node = cell->vertex(0);
               for (unsigned int d = 0; d < dim; ++d)
                 node[d] += nodes.point(i)[d] * size[d];
-              for (unsigned int c = has_first ? 0 : 1; c < n_components(field);
+              for (unsigned int c = has_first ? 0 : 1;
+                   c < n_components<dim>(field);
                    ++c)
                 mass.begin()[positions[i] + c * strides[i]] +=
                   nodes.weight(i) * volume * geometry.weight_at(node);

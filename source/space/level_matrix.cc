@@ -2,85 +2,36 @@
 
 #include <thermocontact/space/level_matrix.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
-#include <map>
-#include <utility>
+#include <initializer_list>
 
 namespace ThermoContact
 {
-  namespace
-  {
-    template <int dim>
-    typename std::array<std::vector<unsigned int>, 2>
-    entries_of_level(const LevelGrid<dim> &grid)
-    {
-      std::array<std::vector<unsigned int>, 2> entries;
-      for (unsigned int node = 0; node < grid.n_nodes(); ++node)
-        {
-          entries[Field::temperature].push_back(node);
-          entries[Field::displacement].push_back(dim * node);
-        }
-      return entries;
-    }
-  } // namespace
-
-
-
-  template <int dim, typename Number>
-  LevelMatrix<dim, Number>::LevelMatrix(const Scene          &scene,
-                                        const Geometry<dim>  &geometry,
-                                        const LevelGrid<dim> &grid)
-    : LevelMatrix(scene, geometry, grid, entries_of_level(grid), true, false)
-  {}
-
-
-
   template <int dim, typename Number>
   LevelMatrix<dim, Number>::LevelMatrix(const Scene          &scene,
                                         const Geometry<dim>  &geometry,
                                         const LevelGrid<dim> &grid,
-                                        Entries               entries)
-    : LevelMatrix(scene,
-                  geometry,
-                  grid,
-                  std::move(entries),
-                  !scene.has_lumped_mass,
-                  scene.contact.has_massless_nodes)
-  {}
-
-
-
-  template <int dim, typename Number>
-  LevelMatrix<dim, Number>::LevelMatrix(const Scene          &scene,
-                                        const Geometry<dim>  &geometry,
-                                        const LevelGrid<dim> &grid,
-                                        Entries               entries,
-                                        const bool            has_mass,
-                                        const bool has_massless_nodes)
-    : material(scene.material)
-    , grid(grid)
+                                        const Entries        *of_body)
+    : grid(grid)
     , degree(grid.degree())
     , width(2 * degree + 1)
-    , has_mass(has_mass)
-    , entries(std::move(entries))
     , n_plane(grid.strides()[0])
-    , margin((degree * grid.strides()[1] + n_lanes) / n_lanes * n_lanes)
     , length((n_plane + n_lanes - 1) / n_lanes * n_lanes)
-    , coefficients(std::size_t(dim - 1) * n_kinds * width * length)
+    , stride(length +
+             (degree * grid.strides()[1] + n_lanes) / n_lanes * n_lanes)
   {
-    Assert(degree <= 2, ExcNotImplemented());
-    integrate(geometry, false, has_massless_nodes);
-    integrate(geometry, true, false);
-    for (unsigned int d = 1; d < dim; ++d)
-      for (unsigned int kind = 0; kind < n_kinds; ++kind)
-        for (unsigned int k = 0; k < width; ++k)
-          for (unsigned int node = 0; node < n_plane; ++node)
-            coefficients[coefficient(d, Kind(kind)) + k * length + node] =
-              axes[1][kind][k][grid.index(node)[d]];
-    for (const Operator op : {heat, momentum, divergence, thermal_stress})
-      plans[op] = make_plan(op);
+    if (of_body != nullptr)
+      entries = *of_body;
+    else
+      for (const Field::Block field : all_fields)
+        for (unsigned int node = 0; node < grid.n_nodes(); ++node)
+          entries[field].push_back(n_components<dim>(field) * node);
+    integrate(geometry,
+              scene.material,
+              false,
+              of_body != nullptr && scene.contact.has_massless_nodes);
+    integrate(geometry, scene.material, true, false);
+    make_sums(scene.material, of_body == nullptr || !scene.has_lumped_mass);
   }
 
 
@@ -88,182 +39,103 @@ namespace ThermoContact
   template <int dim, typename Number>
   void
   LevelMatrix<dim, Number>::integrate(const Geometry<dim> &geometry,
+                                      const Material      &material,
                                       const bool           is_across,
                                       const bool           has_massless_nodes)
   {
-    const std::vector<double>   &x = grid.positions(is_across);
-    const QGauss<1>              rule(degree + 1);
+    const std::vector<double>   &x    = grid.positions(is_across);
     std::array<Banded, n_kinds> &axis = axes[is_across];
     for (Banded &matrix : axis)
       matrix.assign(width, std::vector<double>(x.size()));
-    std::vector<ValueAndSlope> basis(degree + 1);
-    for (unsigned int first = 0; first + 1 < x.size(); first += degree)
-      for (unsigned int q = 0; q < rule.size(); ++q)
-        {
-          const double size = x[first + degree] - x[first];
-          Point<dim>   point;
-          point[1]            = x[first] + rule.point(q)[0] * size;
-          const double weight = rule.weight(q) * size *
-                                (is_across ? geometry.weight_at(point) : 1.);
-          const double across =
-            is_across ? geometry.strain_per_displacement(point) : 0.;
-          for (unsigned int i = 0; i <= degree; ++i)
-            basis[i] = lagrange(&x[first], degree, i, point[1]);
-          for (unsigned int i = 0; i <= degree; ++i)
-            for (unsigned int j = 0; j <= degree; ++j)
-              {
-                const auto add = [&](const Kind kind, const double value) {
-                  axis[kind][degree + j - i][first + i] += weight * value;
-                };
-                const auto &[value, slope]             = basis[i];
-                const auto &[other_value, other_slope] = basis[j];
-                const double strain                    = slope + across * value;
-                const double other_strain = other_slope + across * other_value;
-                add(mass_of_all, value * other_value);
-                if (!has_massless_nodes || first + degree + 1 < x.size())
-                  add(mass_of_axial, value * other_value);
-                add(gradients, slope * other_slope);
-                add(normal,
-                    material.lambda * strain * other_strain +
-                      material.two_mu *
-                        (slope * other_slope +
-                         across * value * across * other_value));
-                add(gradient, value * other_slope);
-                add(of_test, slope * other_value);
-                add(dilatation, value * other_strain);
-                add(of_test_dilatation, strain * other_value);
-              }
-        }
+    visit_products(x, degree, [&](const BasisProduct &at) {
+      Point<dim> point;
+      point[1] = at.x;
+      const double weight =
+        at.weight * (is_across ? geometry.weight_at(point) : 1.);
+      const double across =
+        is_across ? geometry.strain_per_displacement(point) : 0.;
+      const auto add_to = [&](const Kind kind, const double value) {
+        axis[kind][degree + at.j - at.i][at.i] += value;
+      };
+      const auto add = [&](const Kind kind, const double value) {
+        add_to(kind, weight * value);
+      };
+      const auto &[value, slope]             = at.of_i;
+      const auto &[other_value, other_slope] = at.of_j;
+      const double hoop = across * value, other_hoop = across * other_value;
+      const double strain       = slope + hoop,
+                   other_strain = other_slope + other_hoop;
+      add_to(mass_of_mesh, at.weight * value * other_value);
+      add_to(gradients_of_mesh, at.weight * slope * other_slope);
+      add(mass_of_all, value * other_value);
+      if (!has_massless_nodes || at.x < x[x.size() - 1 - degree])
+        add(mass_of_axial, value * other_value);
+      add(gradients, slope * other_slope);
+      add(normal,
+          material.lambda * strain * other_strain +
+            material.two_mu * (slope * other_slope + hoop * other_hoop));
+      add(gradient, value * other_slope);
+      add(of_test, slope * other_value);
+      add(dilatation, value * other_strain);
+      add(of_test_dilatation, strain * other_value);
+    });
   }
 
 
 
   template <int dim, typename Number>
-  std::vector<typename LevelMatrix<dim, Number>::Term>
-  LevelMatrix<dim, Number>::terms(const Operator op) const
+  void
+  LevelMatrix<dim, Number>::make_sums(const Material &material,
+                                      const bool      has_mass)
   {
-    std::vector<Term> result;
-    const auto        add = [&](const unsigned int row,
-                         const unsigned int column,
-                         const double       mass,
-                         const double       stiffness,
-                         const auto        &set_kinds) {
-      Term term{row, column, {}, mass, stiffness};
-      set_kinds(term.kinds);
-      result.push_back(term);
-    };
-    const double mass = has_mass ? 1. : 0., mu = 0.5 * material.two_mu;
-    switch (op)
+    const auto add =
+      [&](const Operator                                              op,
+          const unsigned int                                          row,
+          const unsigned int                                          column,
+          const double                                                factor,
+          const std::initializer_list<std::pair<unsigned int, Kind>> &kinds,
+          const Kind mass = nothing) {
+        std::array<Kind, dim> of;
+        of.fill(op == laplacian ? mass_of_mesh : mass_of_all);
+        for (const auto &[direction, kind] : kinds)
+          of[direction] = kind;
+        std::vector<Line> &lines = sums[op].lines;
+        const Line line{column, of[0], has_mass ? mass : nothing, factor};
+        const unsigned int number =
+          std::find_if(lines.begin(),
+                       lines.end(),
+                       [&](const Line &other) {
+                         return other.column == line.column &&
+                                other.kind == line.kind &&
+                                other.mass == line.mass;
+                       }) -
+          lines.begin();
+        if (number == lines.size())
+          lines.push_back(line);
+        sums[op].terms[{row, of[dim - 1]}].push_back({number, factor, of[1]});
+      };
+    const double mu = 0.5 * material.two_mu;
+    for (unsigned int c = 0; c < dim; ++c)
       {
-        case heat:
-          add(0, 0, mass, 0., [](auto &) {});
-          for (unsigned int d = 0; d < dim; ++d)
-            add(0, 0, 0., 1., [d](auto &kinds) { kinds[d] = gradients; });
-          break;
-        case momentum:
-          for (unsigned int c = 0; c < dim; ++c)
+        const Kind mass = c == 0 ? mass_of_all : nothing;
+        add(heat, 0, 0, 1., {{c, gradients}}, mass);
+        add(laplacian, 0, 0, 1., {{c, gradients_of_mesh}});
+        add(divergence, 0, c, 1., {{c, dilatation}});
+        add(thermal_stress, c, 0, 1., {{c, of_test_dilatation}});
+        add(
+          momentum, c, c, 1., {{c, normal}}, c == 0 ? mass_of_axial : nothing);
+        for (unsigned int d = 0; d < dim; ++d)
+          if (d != c)
             {
-              add(c, c, mass, 0., [c](auto &kinds) {
-                if (c == 0)
-                  kinds[0] = mass_of_axial;
-              });
-              add(c, c, 0., 1., [c](auto &kinds) { kinds[c] = normal; });
-              for (unsigned int d = 0; d < dim; ++d)
-                if (d != c)
-                  {
-                    add(c, c, 0., mu, [d](auto &kinds) {
-                      kinds[d] = gradients;
-                    });
-                    add(c, d, 0., material.lambda, [c, d](auto &kinds) {
-                      kinds[c] = of_test_dilatation;
-                      kinds[d] = dilatation;
-                    });
-                    add(c, d, 0., mu, [c, d](auto &kinds) {
-                      kinds[d] = of_test;
-                      kinds[c] = gradient;
-                    });
-                  }
+              add(momentum, d, d, mu, {{c, gradients}}, mass);
+              add(momentum,
+                  c,
+                  d,
+                  material.lambda,
+                  {{c, of_test_dilatation}, {d, dilatation}});
+              add(momentum, c, d, mu, {{c, gradient}, {d, of_test}});
             }
-          break;
-        case divergence:
-          for (unsigned int c = 0; c < dim; ++c)
-            add(0, c, 0., 1., [c](auto &kinds) { kinds[c] = dilatation; });
-          break;
-        case thermal_stress:
-          for (unsigned int c = 0; c < dim; ++c)
-            add(c, 0, 0., 1., [c](auto &kinds) {
-              kinds[c] = of_test_dilatation;
-            });
-          break;
       }
-    return result;
-  }
-
-
-
-  template <int dim, typename Number>
-  typename LevelMatrix<dim, Number>::Plan
-  LevelMatrix<dim, Number>::make_plan(const Operator op) const
-  {
-    Plan plan;
-    plan.from = op == heat || op == thermal_stress ? Field::temperature :
-                                                     Field::displacement;
-    plan.to =
-      op == heat || op == divergence ? Field::temperature : Field::displacement;
-    // terms that differ along the body alone are one sum
-    using Place = std::array<unsigned int, dim + 1>; // row, kinds, column
-    std::map<Place, std::vector<Term>> same;
-    for (const Term &term : terms(op))
-      {
-        Place place;
-        place[0] = term.row;
-        for (unsigned int d = 1; d < dim; ++d)
-          place[dim - d] = term.kinds[d];
-        place[dim] = term.column;
-        same[place].push_back(term);
-      }
-    const auto key = [](const std::vector<Term> &terms) {
-      std::vector<std::array<double, 4>> result;
-      for (const Term &term : terms)
-        result.push_back({{double(term.column),
-                           double(term.kinds[0]),
-                           term.mass,
-                           term.stiffness}});
-      return result;
-    };
-    std::map<std::vector<std::array<double, 4>>, unsigned int> sums;
-    for (const auto &[place, terms] : same)
-      if (sums.emplace(key(terms), plan.sums.size()).second)
-        plan.sums.push_back({place[dim], terms});
-    plan.n_buffers = plan.sums.size();
-    for (unsigned int c = 0; c < n_components(plan.to); ++c)
-      plan.rows.push_back(plan.n_buffers++);
-    std::vector<bool> is_set(plan.n_buffers, false);
-    const auto        add = [&](const unsigned int direction,
-                         const unsigned int kind,
-                         const unsigned int from,
-                         const unsigned int to) {
-      plan.steps.push_back({direction, Kind(kind), from, to, !is_set[to]});
-      is_set[to] = true;
-    };
-    for (auto group = same.begin(); group != same.end();)
-      {
-        const Place place = group->first;
-        if (dim == 2)
-          {
-            add(1, place[1], sums.at(key(group->second)), plan.rows[place[0]]);
-            ++group;
-            continue;
-          }
-        const unsigned int between = plan.n_buffers++;
-        is_set.push_back(false);
-        for (; group != same.end() && group->first[0] == place[0] &&
-               group->first[1] == place[1];
-             ++group)
-          add(1, group->first[2], sums.at(key(group->second)), between);
-        add(2, place[1], between, plan.rows[place[0]]);
-      }
-    return plan;
   }
 
 
@@ -272,7 +144,79 @@ namespace ThermoContact
   LevelVector<Number>
   LevelMatrix<dim, Number>::make_vector(const Field::Block field) const
   {
-    return LevelVector<Number>(grid.n_nodes() * n_components(field));
+    return LevelVector<Number>(grid.n_nodes() * n_components<dim>(field));
+  }
+
+
+
+  template <int dim, typename Number>
+  double
+  LevelMatrix<dim, Number>::diagonal_entry(
+    const Operator                        op,
+    const unsigned int                    row,
+    const typename LevelGrid<dim>::Index &index,
+    const double                          mass,
+    const double                          stiffness) const
+  {
+    double     result = 0.;
+    const Sum &sum    = sums[op];
+    for (const auto &[place, terms] : sum.terms)
+      for (const Term &term : terms)
+        if (const Line &line = sum.lines[term.line];
+            place.first == row && line.column == row)
+          result +=
+            scale(line, term, stiffness) *
+            along(line, mass, stiffness, degree, index[0]) *
+            axes[1][term.kind][degree][index[1]] *
+            (dim == 3 ? axes[1][place.second][degree][index[dim - 1]] : 1.);
+    return result;
+  }
+
+
+
+  template <int dim, typename Number>
+  LevelVector<Number>
+  LevelMatrix<dim, Number>::diagonal(const Field::Block field,
+                                     const double       mass,
+                                     const double       stiffness) const
+  {
+    LevelVector<Number> result = make_vector(field);
+    for (unsigned int node = 0; node < grid.n_nodes(); ++node)
+      for (unsigned int c = 0; c < n_components<dim>(field); ++c)
+        result.local_element(entries[field][node] + c) =
+          diagonal_entry(of(field), c, grid.index(node), mass, stiffness);
+    return result;
+  }
+
+
+
+  template <int dim, typename Number>
+  unsigned int
+  LevelMatrix<dim, Number>::band(const Field::Block field) const
+  {
+    unsigned int nodes = 0;
+    for (const unsigned int to_next : grid.strides())
+      nodes += degree * to_next;
+    return (nodes + 1) * n_components<dim>(field) - 1;
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  LevelMatrix<dim, Number>::prepare_planes() const
+  {
+    Assert(degree <= 2, ExcNotImplemented());
+    scratch.resize(stride *
+                   (dim + 1 + max_lines +
+                    dim * (grid.positions(0).size() + 2 * degree) + 1));
+    coefficients.resize(std::size_t(dim - 1) * n_kinds * width * length);
+    for (unsigned int d = 1; d < dim; ++d)
+      for (unsigned int kind = 0; kind < n_kinds; ++kind)
+        for (unsigned int k = 0; k < width; ++k)
+          for (unsigned int node = 0; node < n_plane; ++node)
+            coefficients[coefficient(d, Kind(kind)) + k * length + node] =
+              axes[1][kind][k][grid.index(node)[d]];
   }
 
 
@@ -280,44 +224,33 @@ namespace ThermoContact
   namespace
   {
     /**
-     * @p to = or += coefficients times @p width neighbours, from the one that
-     * @p from is the place of, @p stride places to the next.
+     * @p to = or += @p factor times coefficients times @p width neighbours, from
+     * the one that @p from is the place of, @p stride places to the next.
+     *
+     * @param coefficient of a neighbour and a batch of nodes
      */
-    template <unsigned int width, bool is_first, typename Number>
+    template <unsigned int width, typename Number, typename Coefficient>
     void
-    apply_within_plane(const Number      *coefficient,
-                       const Number      *from,
-                       Number            *to,
-                       const unsigned int stride,
-                       const unsigned int length)
+    add_neighbours(const Coefficient &coefficient,
+                   const Number      *from,
+                   const std::size_t  stride,
+                   const unsigned int length,
+                   const Number       factor,
+                   Number            *to,
+                   const bool         is_first)
     {
       using Batched = Lanes<Number>;
       for (unsigned int i = 0; i < length; i += Batched::n_lanes)
         {
-          Batched sum = is_first ? Batched{} : Batched::load(to + i);
+          Batched sum{};
           for (unsigned int k = 0; k < width; ++k)
-            sum += Batched::load(coefficient + k * length + i) *
-                   Batched::load(from + k * stride + i);
-          sum.store(to + i);
+            sum += Batched::load(from + k * stride + i) * coefficient(k, i);
+          Batched result = is_first ? Batched{} : Batched::load(to + i);
+          result += sum * factor;
+          result.store(to + i);
         }
     }
   } // namespace
-
-
-
-  template <int dim, typename Number>
-  void
-  LevelMatrix<dim, Number>::add(const Operator op,
-                                const double   mass,
-                                const double   stiffness,
-                                Number        *y,
-                                const Number  *x) const
-  {
-    if (degree == 1)
-      add_planes<3>(op, mass, stiffness, y, x);
-    else
-      add_planes<5>(op, mass, stiffness, y, x);
-  }
 
 
 
@@ -330,79 +263,107 @@ namespace ThermoContact
                                        Number        *y,
                                        const Number  *x) const
   {
-    using Batched                   = Lanes<Number>;
-    const Plan        &plan         = plans[op];
-    const unsigned int n_from       = n_components(plan.from);
-    const unsigned int n_to         = n_components(plan.to);
-    const unsigned int n_planes     = grid.positions(0).size();
-    const std::size_t  stride       = margin + length;
-    const std::size_t  n_of_planes  = stride * n_planes * n_from + margin;
-    const std::size_t  n_of_buffers = stride * plan.n_buffers + margin;
-    if (planes.size() < n_of_planes)
-      planes.resize(n_of_planes);
-    if (buffers.size() < n_of_buffers)
-      buffers.resize(n_of_buffers);
-    const auto plane = [&](const unsigned int c, const unsigned int i) {
-      return planes.data() + margin + (std::size_t(c) * n_planes + i) * stride;
+    const Field::Block from = op == heat || op == thermal_stress ?
+                                Field::temperature :
+                                Field::displacement;
+    const Field::Block to =
+      op == heat || op == divergence ? Field::temperature : Field::displacement;
+    const unsigned int n_planes = grid.positions(0).size();
+    const auto         plane    = [&](const unsigned int i) {
+      return scratch.data() + i * stride + stride - length;
     };
-    const auto buffer = [&](const unsigned int b) {
-      return buffers.data() + margin + b * stride;
+    // of those of a component, the first and the last ones are not there: zero
+    const auto first_of = [&](const unsigned int component) {
+      return dim + 1 + max_lines + component * (n_planes + 2 * degree);
     };
-    const auto strides = grid.strides();
-    for (unsigned int c = 0; c < n_from; ++c)
-      for (unsigned int i = 0; i < n_planes; ++i)
+    for (unsigned int i = 0; i < n_planes; ++i)
+      for (unsigned int c = 0; c < n_components<dim>(from); ++c)
         {
-          const unsigned int *const entry = &entries[plan.from][i * n_plane];
-          Number *const             to    = plane(c, i);
+          const unsigned int *const entry  = &entries[from][i * n_plane];
+          Number *const             values = plane(first_of(c) + degree + i);
           for (unsigned int node = 0; node < n_plane; ++node)
-            to[node] = x[entry[node] + c];
+            values[node] = x[entry[node] + c];
         }
+    const auto strides = grid.strides();
+    const auto across  = [&](const unsigned int direction,
+                            const Kind         kind,
+                            const Number      *values,
+                            const Number       factor,
+                            Number            *sum,
+                            const bool         is_first) {
+      const Number *const of_nodes =
+        &coefficients[coefficient(direction, kind)];
+      add_neighbours<width>(
+        [&](const unsigned int k, const unsigned int node) {
+          return Lanes<Number>::load(of_nodes + k * length + node);
+        },
+        values - degree * strides[direction],
+        strides[direction],
+        length,
+        factor,
+        sum,
+        is_first);
+    };
+    const Sum    &sum   = sums[op];
+    Number *const sheet = plane(dim);
     for (unsigned int i = 0; i < n_planes; ++i)
       {
-        for (unsigned int s = 0; s < plan.sums.size(); ++s)
+        for (unsigned int l = 0; l < sum.lines.size(); ++l)
           {
-            std::array<const Number *, width> from;
-            std::array<Number, width>         factors;
+            std::array<Number, width> factors;
             for (unsigned int k = 0; k < width; ++k)
-              {
-                double sum = 0.; // of what is not there: 0
-                for (const Term &term : plan.sums[s].terms)
-                  sum += (mass * term.mass + stiffness * term.stiffness) *
-                         axes[0][term.kinds[0]][k][i];
-                factors[k] = sum;
-                from[k] =
-                  plane(plan.sums[s].column,
-                        std::clamp(i + k, degree, n_planes + degree - 1) -
-                          degree);
-              }
-            Number *const to = buffer(s);
-            for (unsigned int node = 0; node < length; node += n_lanes)
-              {
-                Batched sum{};
-                for (unsigned int k = 0; k < width; ++k)
-                  sum += Batched::load(from[k] + node) * factors[k];
-                sum.store(to + node);
-              }
+              factors[k] = along(sum.lines[l], mass, stiffness, k, i);
+            add_neighbours<width>(
+              [&](const unsigned int k, const unsigned int) {
+                return factors[k];
+              },
+              plane(first_of(sum.lines[l].column) + i),
+              stride,
+              length,
+              Number(1),
+              plane(dim + 1 + l),
+              true);
           }
-        for (const Step &step : plan.steps)
+        std::fill_n(plane(0), n_components<dim>(to) * stride, Number());
+        for (const auto &[place, terms] : sum.terms)
           {
-            const auto apply = step.is_first ?
-                                 apply_within_plane<width, true, Number> :
-                                 apply_within_plane<width, false, Number>;
-            apply(&coefficients[coefficient(step.direction, step.kind)],
-                  buffer(step.from) - degree * strides[step.direction],
-                  buffer(step.to),
-                  strides[step.direction],
-                  length);
+            bool is_first = true;
+            for (const Term &term : terms)
+              {
+                across(1,
+                       term.kind,
+                       plane(dim + 1 + term.line),
+                       scale(sum.lines[term.line], term, stiffness),
+                       dim == 3 ? sheet : plane(place.first),
+                       dim == 3 && is_first);
+                is_first = false;
+              }
+            if (dim == 3)
+              across(2, place.second, sheet, 1, plane(place.first), false);
           }
-        const unsigned int *const entry = &entries[plan.to][i * n_plane];
-        for (unsigned int c = 0; c < n_to; ++c)
-          {
-            const Number *const from = buffer(plan.rows[c]);
-            for (unsigned int node = 0; node < n_plane; ++node)
-              y[entry[node] + c] += from[node];
-          }
+        const unsigned int *const entry = &entries[to][i * n_plane];
+        for (unsigned int c = 0; c < n_components<dim>(to); ++c)
+          for (unsigned int node = 0; node < n_plane; ++node)
+            y[entry[node] + c] += plane(c)[node];
       }
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  LevelMatrix<dim, Number>::add(const Operator op,
+                                const double   mass,
+                                const double   stiffness,
+                                Number        *y,
+                                const Number  *x) const
+  {
+    if (scratch.empty())
+      prepare_planes();
+    if (degree == 1)
+      add_planes<3>(op, mass, stiffness, y, x);
+    else
+      add_planes<5>(op, mass, stiffness, y, x);
   }
 
 

@@ -21,7 +21,7 @@ namespace ThermoContact
   {
     body.contact_end().get_all_values(
       Field::displacement,
-      body.equations.cell_products()->contact_stiffness_diagonal(),
+      body.equations.cell_products()->diagonal(Field::displacement, 0., 1.),
       diagonal);
     for (double &entry : diagonal)
       entry *= factor;

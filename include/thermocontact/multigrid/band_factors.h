@@ -7,22 +7,22 @@
 
 namespace ThermoContact
 {
-  /** A symmetric positive matrix with a band, and its Cholesky factors. */
+  /** A symmetric positive matrix with a band, and its factors $LDL^T$. */
   class BandFactors
   {
   public:
     /** Zeros; entries are between rows no farther apart than @p band. */
     BandFactors(const unsigned int n, const unsigned int band);
 
-    /** The entry of a column and a row that is not before it. */
+    /** Of the matrix or of L and D: of a row and a column not behind it. */
     double &
     entry(const unsigned int row, const unsigned int column)
     {
       return columns[std::size_t(column) * band + row];
     }
 
-    /** In place. @return false if the matrix is not positive */
-    bool
+    /** In place. @throw ComputationError if the matrix is not positive */
+    void
     factorize();
 
     /** In place: right-hand side to solution. */

@@ -43,17 +43,12 @@ namespace ThermoContact
       LevelVector<Number> &update;
     };
 
-    /** From zero. */
-    void
-    smooth_zero(LevelVector<Number>       &x,
-                const LevelVector<Number> &b,
-                const Work                &work) const;
-
-    /** From @p x. */
+    /** @param from_zero or from @p x */
     void
     smooth(LevelVector<Number>       &x,
            const LevelVector<Number> &b,
-           const Work                &work) const;
+           const Work                &work,
+           const bool                 from_zero) const;
 
   private:
     const StageBlock<dim, Number> &block;
@@ -66,12 +61,6 @@ namespace ThermoContact
     /** A residual becomes that over the diagonal or in the subspaces. */
     void
     precondition(LevelVector<Number> &residual) const;
-
-    /** The steps after the first one. */
-    void
-    go_on(LevelVector<Number>       &x,
-          const LevelVector<Number> &b,
-          const Work                &work) const;
 
     /** One step, with the factors of the last update and of the residual. */
     void

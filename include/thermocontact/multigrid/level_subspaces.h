@@ -6,7 +6,6 @@
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/geometry.h>
-#include <thermocontact/space/lanes.h>
 #include <thermocontact/space/level_grid.h>
 #include <thermocontact/space/level_operator.h>
 
@@ -16,18 +15,6 @@
 
 namespace ThermoContact
 {
-  /** A function of one variable, by its values and slopes at nodes. */
-  struct Spline
-  {
-    unsigned int               first_node;
-    std::vector<ValueAndSlope> at_nodes;
-
-    /** Of squares of the function, its slope and curvature; f f''. */
-    double square, square_of_slope, square_of_curvature, with_curvature;
-  };
-
-
-
   /**
    * A matrix of an axis that acts on all lines of an array; as many entries of
    * each row, from a first column.
@@ -43,10 +30,14 @@ namespace ThermoContact
 
 
 
-  /** The elements of one axis of a grid. */
-  struct AxisElements
+  /**
+   * The elements of one axis of a grid, and B-splines: a basis of their
+   * continuously differentiable functions.
+   */
+  template <typename Number>
+  struct SplineAxis
   {
-    AxisElements(const std::vector<double> &nodes, const unsigned int degree);
+    SplineAxis(const std::vector<double> &nodes, const unsigned int degree);
 
     unsigned int degree;
     unsigned int n_nodes;
@@ -56,15 +47,20 @@ namespace ThermoContact
      */
     std::vector<double> mass, stiffness;
 
-    /** A basis of the continuously differentiable functions. */
-    std::vector<Spline> splines;
+    /** Values and slopes at nodes by factors of splines. */
+    Band<Number> value, slope, value_transposed, slope_transposed;
 
-    /** Values at nodes by factors of splines, of @p of (value and slope). */
-    template <typename Number, typename Of>
-    Band<Number>
-    splines_at_nodes(const Of &of) const;
+    /** Integrals of products of a spline f. */
+    struct Integrals
+    {
+      double square, square_of_slope, square_of_curvature;
+      double with_curvature; ///< f f''
+    };
+
+    std::vector<Integrals> integrals;
 
   private:
+    /** Their values and slopes at nodes. */
     void
     make_splines(const std::vector<double> &nodes);
   };
@@ -77,8 +73,8 @@ namespace ThermoContact
    * its direction, and flows without dilatation, the curls of products of
    * splines.
    *
-   * Ranks do it for planes of one direction each, one of them in two
-   * dimensions, with whole vectors.
+   * Ranks do it for the lines of one direction each, and flows in the planes of
+   * that and the next one, with whole vectors.
    */
   template <int dim, typename Number>
   class LevelSubspaces
@@ -103,43 +99,53 @@ namespace ThermoContact
     friend class SubspaceFactors;
 
     /**
-     * Planes of nodes along the axes @p a and @p b. As many as @p width next to
-     * each other are treated together: a node has as many places there.
+     * Lines along the axis @p a and planes of @p a and @p b: arrays have nodes
+     * or splines of @p a times those of @p b times nodes of @p c. In two
+     * dimensions there is one @p c.
      */
-    struct Plane
+    struct Family
     {
-      unsigned int a, b, across;
-      bool         has_lines_along_b; ///< or those along @p a alone
-      std::size_t  n_places;
+      unsigned int a, b, c;
+
+      /** Local entries of whole vectors, of both components. */
+      std::vector<unsigned int> of_a, of_b;
+
+      bool has_flows;
     };
 
-    static constexpr unsigned int width = dim == 3 ? Lanes<float>::n_lanes : 1;
-
-    const Material                   &material;
-    const std::array<AxisElements, 2> axes; ///< along, across
-    const unsigned int                n_nodes;
-    std::array<unsigned int, 3>       shape;   ///< nodes in each direction
-    std::array<unsigned int, 3>       strides; ///< of nodes
-    std::vector<Plane>                planes;  ///< of this rank
+    const Material                         &material;
+    const std::array<SplineAxis<Number>, 2> axes;     ///< along, across
+    std::vector<Family>                     families; ///< of this rank
 
     /** With whole vectors. */
     std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
 
-    /** Local entries of such vectors, component by component. */
-    std::vector<unsigned int> entries;
-
-    /** Values and slopes of the splines of an axis at its nodes. */
-    struct AxisBands
-    {
-      Band<Number> value, slope, value_transposed, slope_transposed;
-    };
-
-    std::array<AxisBands, 2> bands;
-
-    const AxisElements &
+    const SplineAxis<Number> &
     axis(const unsigned int direction) const
     {
       return axes[direction > 0];
+    }
+
+    unsigned int
+    n_nodes(const unsigned int direction) const
+    {
+      return direction < dim ? axis(direction).n_nodes : 1;
+    }
+
+    /** Diagonal entries of the matrices of a direction. */
+    struct Diagonals
+    {
+      double mass, stiffness;
+    };
+
+    Diagonals
+    diagonals(const unsigned int direction, const unsigned int node) const
+    {
+      if (direction == dim)
+        return {1., 0.};
+      const SplineAxis<Number> &of = axis(direction);
+      const unsigned int        at = node * (of.degree + 1);
+      return {of.mass[at], of.stiffness[at]};
     }
   };
 
@@ -153,62 +159,56 @@ namespace ThermoContact
     /**
      * @param spaces borrowed
      * @param stiffness its factor
+     */
+    SubspaceFactors(const LevelSubspaces<dim, Number> &spaces,
+                    const double                       stiffness);
+
+    /**
+     * Those that depend on what has changed. Collective.
+     *
      * @param rest of the diagonal: mass and springs, at most
      *   Tolerances::stiffest_spring, where values are held and become 0
      */
-    SubspaceFactors(const LevelSubspaces<dim, Number> &spaces,
-                    const double                       stiffness,
-                    const Vector                      &rest);
+    void
+    update(const Vector &rest);
 
     /** In place: right-hand side to corrections. Collective. */
     void
     apply(LevelVector<Number> &vector) const;
 
   private:
-    using Plane = typename LevelSubspaces<dim, Number>::Plane;
+    using Family = typename LevelSubspaces<dim, Number>::Family;
 
-    struct Lines
+    struct Factors
     {
+      /** Of lines: with the nodes before, place by place. */
+      std::vector<Number> multipliers;
       std::vector<Number> inverse_pivots;
-      std::vector<Number> multipliers; ///< with nodes before, place by place
-    };
-
-    struct OfPlane
-    {
-      Lines               along_a, along_b;
-      std::vector<Number> inverse_energies;
+      std::vector<Number> inverse_energies; ///< of flows
     };
 
     const LevelSubspaces<dim, Number> &spaces;
-    std::vector<OfPlane>               factors;
+    const double                       stiffness;
+    Vector                             rest; ///< whole; -1: not yet
+    std::vector<Factors>               factors;
 
-    mutable std::vector<Number>                  from, to;      ///< by nodes
-    mutable std::array<std::vector<Number>, 2>   values, flows; ///< of planes
-    mutable std::vector<Number>                  half;
+    /** Arrays of a family, that of @p a between zeros; whole vectors. */
+    mutable std::vector<Number> values_a, values_b, half, flows, other_flows;
+    mutable std::vector<Number> sum;
     mutable std::unique_ptr<LevelVector<Number>> whole; ///< of several ranks
 
-    /** Calls @p visit(place, node) for the nodes of planes @p first to ... */
-    template <typename Visit>
+    /** Lines where @p new_rest differs. */
     void
-    visit_places(const Plane       &plane,
-                 const unsigned int first,
-                 const Visit       &visit) const;
+    factorize(const Family &family, const Vector &new_rest, Factors &factors);
 
     void
-    factorize(const Plane               &plane,
-              const bool                 is_along_a,
-              const double               stiffness,
-              const std::vector<double> &rest,
-              Lines                     &lines) const;
+    compute_energies(const Family &family, std::vector<Number> &inverse) const;
 
+    /** Adds to #sum. */
     void
-    compute_energies(const Plane               &plane,
-                     const double               stiffness,
-                     const std::vector<double> &rest,
-                     std::vector<Number>       &inverse) const;
-
-    void
-    apply(const Plane &plane, const OfPlane &factors) const;
+    apply(const Family  &family,
+          const Factors &factors,
+          const Number  *vector) const;
   };
 } // namespace ThermoContact
 

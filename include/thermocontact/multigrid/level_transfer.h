@@ -34,20 +34,17 @@ namespace ThermoContact
     prolongate_and_add(LevelVector<Number>       &fine,
                        const LevelVector<Number> &coarse) const;
 
-    /** The transpose, in place of @p coarse. Collective. */
-    void
-    restrict_to(LevelVector<Number>       &coarse,
-                const LevelVector<Number> &fine) const;
-
     /**
-     * The same of a diagonal, by the absolute values of the weights, since
-     * those of degree 2 have both signs: what is positive stays so, and it is
-     * no less than the row sums of its product between two transfers.
-     * Collective.
+     * The transpose, in place of @p coarse. Collective.
+     *
+     * @param is_diagonal by the absolute values of the weights, since those of
+     *   degree 2 have both signs: of a diagonal what is positive stays so, and
+     *   it is no less than the row sums of its product between two transfers
      */
     void
-    restrict_diagonal_to(LevelVector<Number>       &coarse,
-                         const LevelVector<Number> &fine) const;
+    restrict_to(LevelVector<Number>       &coarse,
+                const LevelVector<Number> &fine,
+                const bool                 is_diagonal = false) const;
 
     /** The values of the nodes of the grid, in place of @p coarse. Collective.
      */
@@ -99,17 +96,10 @@ namespace ThermoContact
     void
     prolongate(Number *fine, const Number *coarse) const;
 
-    /** @param of_weight the factor of a value that a weight makes */
-    template <unsigned int n, typename OfWeight>
-    void restrict(Number         *coarse,
-                  const Number   *fine,
-                  const OfWeight &of_weight) const;
-
-    template <typename OfWeight>
-    void
-    restrict_by(const OfWeight            &of_weight,
-                LevelVector<Number>       &coarse,
-                const LevelVector<Number> &fine) const;
+    template <unsigned int n>
+    void restrict(Number       *coarse,
+                  const Number *fine,
+                  const bool    is_diagonal) const;
   };
 } // namespace ThermoContact
 

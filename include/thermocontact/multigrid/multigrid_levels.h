@@ -120,21 +120,16 @@ namespace ThermoContact
 
     std::unique_ptr<const LevelMatrix<dim, double>> coarse_matrix_;
 
+    /**
+     * @param grid that of the level
+     * @param values what the local part of a vector has
+     */
     void
-    make_field(const LevelMatrix<dim, Number> &matrix,
-               const LevelGrid<dim>           &grid,
-               const Field::Block              field,
-               LevelField<dim, Number>        &of_field) const;
-
-    void
-    make_field_of_body(const CellProducts<dim, Number> &products,
-                       const Field::Block               field,
-                       LevelField<dim, Number>         &of_field) const;
-
-    std::unique_ptr<const LevelSubspaces<dim, Number>>
-    make_subspaces(const LevelGrid<dim>               &grid,
-                   const std::vector<NodalValue<dim>> &values,
-                   const LevelField<dim, Number>      &of_field) const;
+    make_field(const LevelOperator<Number>        &products,
+               const LevelGrid<dim>               &grid,
+               const std::vector<NodalValue<dim>> &values,
+               const Field::Block                  field,
+               LevelField<dim, Number>            &of_field) const;
 
     /**
      * The transfer from a grid to the next finer level, and what the field on

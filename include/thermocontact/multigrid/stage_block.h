@@ -3,8 +3,10 @@
 #ifndef thermocontact_multigrid_stage_block_h
 #define thermocontact_multigrid_stage_block_h
 
+#include <thermocontact/multigrid/band_factors.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,9 +46,12 @@ namespace ThermoContact
     void
     vmult(LevelVector<Number> &y, const LevelVector<Number> &x) const;
 
-    /** Diagonal, 1 for prescribed ones. */
+    /**
+     * Diagonal, 1 for prescribed ones; without stiffness, as SubspaceFactors
+     * need it, Tolerances::stiffest_spring for these.
+     */
     Vector
-    diagonal() const;
+    diagonal(const bool has_stiffness = true) const;
 
     LevelVector<Number>
     make_vector() const
@@ -54,26 +59,13 @@ namespace ThermoContact
       return levels.products(level).make_vector(field);
     }
 
-    /** Those of displacements. */
+    /** Those of displacements, not yet made. */
     std::optional<SubspaceFactors<dim, Number>>
     subspace_factors() const;
 
-    /** Its entries on the coarsest level, as LevelMatrix::visit_entries(). */
-    template <typename Visit>
-    void
-    visit_entries(const Visit &visit) const
-    {
-      levels.coarse_matrix().visit_entries(field, mass, stiffness, visit);
-      for (const auto &[entry, spring] : springs)
-        visit(entry, entry, spring);
-    }
-
-    /** Local entries of rates that are prescribed or held. */
-    const std::vector<unsigned int> &
-    prescribed_entries() const
-    {
-      return prescribed;
-    }
+    /** On the coarsest level, 1 on the diagonal for prescribed ones. */
+    std::unique_ptr<const BandFactors>
+    factors() const;
 
     /** Takes over springs and held nodes of this level. */
     void
@@ -100,12 +92,15 @@ namespace ThermoContact
     /** Local entries with the stiffness of their springs, over the scale. */
     std::vector<std::pair<unsigned int, Number>> springs;
 
-    Vector
-    diagonal(const double stiffness, const double at_prescribed) const;
-
-    /** Those of the heat exchange. */
+    /** To a product with zeros there and with no springs so far. */
+    template <typename AnyNumber>
     void
-    set_exchange();
+    complete(LevelVector<AnyNumber> &y, const LevelVector<AnyNumber> &x) const
+    {
+      for (const auto &[entry, spring] : springs)
+        y.local_element(entry) += spring * x.local_element(entry);
+      zero_prescribed(y);
+    }
   };
 } // namespace ThermoContact
 

@@ -3,7 +3,6 @@
 #ifndef thermocontact_multigrid_stage_multigrid_h
 #define thermocontact_multigrid_stage_multigrid_h
 
-#include <thermocontact/multigrid/band_factors.h>
 #include <thermocontact/multigrid/chebyshev_smoother.h>
 #include <thermocontact/multigrid/multigrid_levels.h>
 
@@ -62,18 +61,6 @@ namespace ThermoContact
     /** Springs and held nodes of a level and of those that are coarser. */
     void
     set_rows(const unsigned int level, const ContactRows &rows);
-
-    /**
-     * Of the present block of the coarsest level.
-     *
-     * @throw ComputationError if it is not positive
-     */
-    std::unique_ptr<const BandFactors>
-    make_factors() const;
-
-    /** On the coarsest level. */
-    void
-    solve_coarse() const;
 
     /** Solves approximately on a level: right to solution. */
     void

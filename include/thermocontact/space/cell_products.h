@@ -78,7 +78,7 @@ namespace ThermoContact
     LevelVector<Number>
     diagonal(const Field::Block field,
              const double       mass,
-             const double       stiffness) const;
+             const double       stiffness) const override;
 
     LevelVector<Number>
     laplacian_diagonal(const Field::Block field) const;
@@ -128,8 +128,11 @@ namespace ThermoContact
     {
       double mass;
       double stiffness;
-      bool   is_of_mesh = false; ///< a Laplacian: no weights, no material
-      bool   is_at_end  = false; ///< of the cells at the contact end alone
+      bool   is_at_end = false; ///< of the cells at the contact end alone
+
+      /** What heat and Laplacian act on. */
+      Field::Block field     = Field::temperature;
+      unsigned int component = 0;
     };
 
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
@@ -140,6 +143,7 @@ namespace ThermoContact
     const unsigned int         n;       ///< nodes in one direction
     const unsigned int         n_nodes; ///< of a cell
     const bool                 has_lumped_mass;
+    const bool                 is_by_planes; ///< of degree 1 on one rank
 
     /** Of the nodes of a cell, which are numbered by vertices, lines, ... */
     std::vector<unsigned int> lexicographic;
@@ -150,9 +154,10 @@ namespace ThermoContact
     unsigned int              first_at_end = 0;
     std::array<FieldCells, 2> fields;
 
-    using OnGrid = LevelMatrix<dim, Number>;
+    using OnGrid   = LevelMatrix<dim, Number>;
+    using Operator = typename OnGrid::Operator;
 
-    /** In place of sums over cells, of degree 1 on one rank; else null. */
+    /** For diagonals, and in place of sums over cells if is_by_planes. */
     std::unique_ptr<const OnGrid> on_grid;
 
     /**
@@ -164,25 +169,10 @@ namespace ThermoContact
     AlignedVector<Number> derivatives, derivatives_transposed;
     AlignedVector<Number> weights;
 
-    /** Products of values and derivatives of a basis function, (i, q). */
-    enum Square : unsigned int
-    {
-      of_value,
-      of_both,
-      of_derivative
-    };
-    std::array<AlignedVector<Number>, 3> squares;
-
     /** Weight and strain per displacement in the rows of points of a batch. */
     AlignedVector<Number> radial;
 
     mutable AlignedVector<Number> scratch;
-
-    unsigned int
-    n_components(const Field::Block field) const
-    {
-      return field == Field::temperature ? 1 : dim;
-    }
 
     /** Of a degree of freedom of the whole system in the local part. */
     unsigned int
@@ -197,9 +187,6 @@ namespace ThermoContact
 
     void
     compute_strides();
-
-    void
-    make_grid_products(const Scene &scene);
 
     /** The cells of a rank, those at the contact end last. */
     std::vector<std::vector<Cell>>
@@ -238,67 +225,72 @@ namespace ThermoContact
                 const double       stiffness,
                 const Visit       &visit) const;
 
-    /**
-     * @p y = what @p kernel(static number of nodes in one direction, or 0)
-     * adds from @p x with ghosts.
-     */
-    template <typename Kernel>
+    /** @p y = what @p add adds from @p x with ghosts. */
+    template <typename Add>
     void
     sum_up(LevelVector<Number>       &y,
            const LevelVector<Number> &x,
-           const Kernel              &kernel) const;
+           const Add                 &add) const;
 
-    unsigned int
-    first_batch(const Factors &factors) const
-    {
-      return factors.is_at_end ? first_at_end : 0;
-    }
-
-    /** Of a point of the cells of a batch; @p is_of_mesh: without radius. */
-    Lanes<Number>
-    weight(const unsigned int batch,
-           const unsigned int q,
-           const bool         is_of_mesh = false) const;
-
-    /** Strain across the mesh per displacement along y. */
-    Lanes<Number>
-    hoop(const unsigned int batch, const unsigned int q) const;
-
-    template <int n_static>
+    /** Adds a product without faces. */
     void
-    add_cells(const Field::Block         field,
+    add_product(const Operator             op,
+                const Factors             &factors,
+                LevelVector<Number>       &y,
+                const LevelVector<Number> &x) const;
+
+    /** The same by cells. */
+    void
+    add_cells(const Operator             op,
               const Factors             &factors,
               LevelVector<Number>       &y,
               const LevelVector<Number> &x) const;
 
+    /** With a number of nodes in one direction; 0: any. */
     template <int n_static>
     void
-    scalar_on_cells(const Field::Block         field,
-                    const unsigned int         component,
-                    const Factors             &factors,
-                    LevelVector<Number>       &y,
-                    const LevelVector<Number> &x) const;
+    add_cells_of(const Operator             op,
+                 const Factors             &factors,
+                 LevelVector<Number>       &y,
+                 const LevelVector<Number> &x) const;
 
-    template <int n_static, bool is_radial>
-    void
-    momentum_on_cells(const Factors             &factors,
-                      LevelVector<Number>       &y,
-                      const LevelVector<Number> &x) const;
+    bool
+    is_weighted(const Operator op) const
+    {
+      return op != OnGrid::laplacian && !radial.empty();
+    }
 
-    template <int n_static>
-    void
-    divergence_on_cells(LevelVector<Number>       &heat,
-                        const LevelVector<Number> &u) const;
+    /** What a product needs of components or of their test functions. */
+    enum class Derivatives
+    {
+      none,
+      own, ///< along the direction of each component
+      all
+    };
 
-    template <int n_static>
+    /**
+     * Adds to @p n_to components what @p at_point(point, values, gradients, q)
+     * makes of @p n_from components at quadrature point q, in their place.
+     */
+    template <int         n_static,
+              int         n_from,
+              Derivatives of_from,
+              int         n_to,
+              Derivatives of_to,
+              typename AtPoint>
     void
-    thermal_stress_on_cells(LevelVector<Number>       &momentum,
-                            const LevelVector<Number> &theta) const;
+    sum_over_cells(const Operator             op,
+                   const Factors             &factors,
+                   LevelVector<Number>       &y,
+                   const LevelVector<Number> &x,
+                   const AtPoint             &at_point) const;
 
-    /** That of add_cells(), or of the Laplacian. */
+    /** @param mass,stiffness 0 and 1 of the Laplacian */
     void
-    add_diagonal(const Field::Block   field,
-                 const Factors       &factors,
+    add_diagonal(const Operator       op,
+                 const double         mass,
+                 const double         stiffness,
+                 const Field::Block   field,
                  LevelVector<Number> &y) const;
   };
 } // namespace ThermoContact

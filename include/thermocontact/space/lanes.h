@@ -169,14 +169,15 @@ namespace ThermoContact
 
 
 
-  /** Calls @p act with the number of each direction, known when compiling. */
-  template <int dim, typename Act>
+  /** Calls @p act with 0 to @p n - 1, at most 2, known when compiling. */
+  template <int n, typename Act>
   inline __attribute__((always_inline)) void
   along_all(const Act &act)
   {
     act(std::integral_constant<int, 0>());
-    act(std::integral_constant<int, 1>());
-    if constexpr (dim == 3)
+    if constexpr (n > 1)
+      act(std::integral_constant<int, 1>());
+    if constexpr (n > 2)
       act(std::integral_constant<int, 2>());
   }
 

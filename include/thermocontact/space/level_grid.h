@@ -6,6 +6,7 @@
 #include <thermocontact/input/parameters.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <array>
 #include <optional>
@@ -28,6 +29,40 @@ namespace ThermoContact
            const unsigned int degree,
            const unsigned int i,
            const double       x);
+
+
+
+  /** What a point of a cell has for a pair of its basis functions. */
+  struct BasisProduct
+  {
+    double        x, weight; ///< of the rule of Gauss
+    unsigned int  i, j;      ///< nodes of the pair
+    ValueAndSlope of_i, of_j;
+  };
+
+  /** Calls @p visit for all that integrals of products on an axis are of. */
+  template <typename Visit>
+  void
+  visit_products(const std::vector<double> &nodes,
+                 const unsigned int         degree,
+                 const Visit               &visit)
+  {
+    const dealii::QGauss<1> rule(degree + 1);
+    for (unsigned int first = 0; first + 1 < nodes.size(); first += degree)
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        for (unsigned int i = 0; i <= degree; ++i)
+          for (unsigned int j = 0; j <= degree; ++j)
+            {
+              const double size = nodes[first + degree] - nodes[first];
+              const double x    = nodes[first] + rule.point(q)[0] * size;
+              visit(BasisProduct{x,
+                                 rule.weight(q) * size,
+                                 first + i,
+                                 first + j,
+                                 lagrange(&nodes[first], degree, i, x),
+                                 lagrange(&nodes[first], degree, j, x)});
+            }
+  }
 
 
 

@@ -12,6 +12,8 @@
 #include <deal.II/base/aligned_vector.h>
 
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace ThermoContact
@@ -31,22 +33,19 @@ namespace ThermoContact
   class LevelMatrix : public LevelOperator<Number>
   {
   public:
-    /** Of a coarser level; vectors have the components of a node together. */
-    LevelMatrix(const Scene          &scene,
-                const Geometry<dim>  &geometry,
-                const LevelGrid<dim> &grid);
-
     /** First entries of the nodes of a grid in vectors of the fields. */
     using Entries = std::array<std::vector<unsigned int>, 2>;
 
     /**
-     * Of a body, for add() alone: a lumped mass left out, and that of axial
-     * displacements in the last cells where contact nodes have none.
+     * @param of_body null: of a coarser level, whose vectors have the
+     *   components of a node together. Else where the body has its values for
+     *   add(): a lumped mass is left out, and that of axial displacements in
+     *   the last cells where contact nodes have none.
      */
     LevelMatrix(const Scene          &scene,
                 const Geometry<dim>  &geometry,
                 const LevelGrid<dim> &grid,
-                Entries               entries);
+                const Entries        *of_body = nullptr);
 
     LevelVector<Number>
     make_vector(const Field::Block field) const override;
@@ -58,16 +57,32 @@ namespace ThermoContact
           LevelVector<Number>       &y,
           const LevelVector<Number> &x) const override;
 
-    /** Those of vmult(), and $D$ and $D^T$. */
+    LevelVector<Number>
+    diagonal(const Field::Block field,
+             const double       mass,
+             const double       stiffness) const override;
+
+    /** No entries of vmult() are farther from the diagonal. */
+    unsigned int
+    band(const Field::Block field) const;
+
+    /** Those of vmult(), $D$, $D^T$ and the Laplacian of the mesh. */
     enum Operator : unsigned int
     {
       heat,
       momentum,
       divergence,
-      thermal_stress
+      thermal_stress,
+      laplacian
     };
 
-    /** Adds the product. @param mass,stiffness 0 and 1 for $D$ and $D^T$ */
+    static Operator
+    of(const Field::Block field)
+    {
+      return field == Field::temperature ? heat : momentum;
+    }
+
+    /** Adds the product. @param mass,stiffness 0 and 1 but for vmult() */
     void
     add(const Operator op,
         const double   mass,
@@ -75,55 +90,21 @@ namespace ThermoContact
         Number        *y,
         const Number  *x) const;
 
-    /**
-     * Calls @p visit(row, column, value) for all entries of the matrix of
-     * vmult() on a coarser level.
-     */
-    template <typename Visit>
-    void
-    visit_entries(const Field::Block field,
-                  const double       mass,
-                  const double       stiffness,
-                  const Visit       &visit) const
-    {
-      const unsigned int      n        = n_components(field);
-      const std::vector<Term> of_field = terms(of(field));
-      for (unsigned int node = 0; node < grid.n_nodes(); ++node)
-        for (int k = 0; k < power_of(width, dim); ++k)
-          {
-            const auto                    place = grid.index(node);
-            int                           other = node;
-            std::array<unsigned int, dim> neighbour; // from the first one on
-            bool                          is_there = true;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                neighbour[d] = k / power_of(width, d) % width;
-                is_there =
-                  is_there && place[d] + neighbour[d] >= degree &&
-                  place[d] + neighbour[d] < grid.positions(d).size() + degree;
-                other +=
-                  (int(neighbour[d]) - int(degree)) * int(grid.strides()[d]);
-              }
-            if (!is_there)
-              continue;
-            std::array<std::array<double, dim>, dim> values{};
-            for (const Term &term : of_field)
-              {
-                double value = term.mass * mass + term.stiffness * stiffness;
-                for (unsigned int d = 0; d < dim; ++d)
-                  value *= axes[d > 0][term.kinds[d]][neighbour[d]][place[d]];
-                values[term.row][term.column] += value;
-              }
-            for (unsigned int c = 0; c < n; ++c)
-              for (unsigned int e = 0; e < n; ++e)
-                visit(node * n + c, other * n + e, values[c][e]);
-          }
-    }
+    /** On the diagonal of a component. */
+    double
+    diagonal_entry(const Operator                        op,
+                   const unsigned int                    row,
+                   const typename LevelGrid<dim>::Index &index,
+                   const double                          mass,
+                   const double                          stiffness) const;
+
+    const LevelGrid<dim> grid;
 
   private:
     /** Banded matrices of a direction, integrals of basis functions. */
     enum Kind : unsigned int
     {
+      nothing,
       mass_of_all,
       mass_of_axial,
       gradients,  ///< of both
@@ -132,79 +113,60 @@ namespace ThermoContact
       of_test,    ///< of the first one
       dilatation, ///< of the second one, with strain across the mesh
       of_test_dilatation,
+      mass_of_mesh, ///< without the weight of a geometry
+      gradients_of_mesh,
       n_kinds
     };
 
     /** The entry of node i with node i + k - degree at [k][i]. */
     using Banded = std::vector<std::vector<double>>;
 
-    /** A product of matrices, one for each direction, between components. */
+    /** A component times a matrix along the body, or those of a stage. */
+    struct Line
+    {
+      unsigned int column;
+      Kind         kind;
+      Kind         mass; ///< nothing: one matrix alone
+      double       factor;
+    };
+
+    /** A line times matrices across the body. */
     struct Term
     {
-      unsigned int          row;
-      unsigned int          column;
-      std::array<Kind, dim> kinds;
-      double                mass; ///< part of the factor of the mass
-      double                stiffness;
+      unsigned int line;
+      double       factor; ///< of one matrix alone
+      Kind         kind;   ///< along y
     };
 
-    /** Combination of planes of a component along the body, to a buffer. */
+    /** What an operator is. */
     struct Sum
     {
-      unsigned int      column;
-      std::vector<Term> terms; ///< their first kinds and factors
-    };
+      std::vector<Line> lines;
 
-    /** Product within a plane, from one buffer to another. */
-    struct Step
-    {
-      unsigned int direction;
-      Kind         kind;
-      unsigned int from;
-      unsigned int to;
-      bool         is_first; ///< else it is added
-    };
-
-    struct Plan
-    {
-      Field::Block              from, to;
-      std::vector<Sum>          sums; ///< to the first buffers
-      std::vector<Step>         steps;
-      std::vector<unsigned int> rows; ///< buffers of the components
-      unsigned int              n_buffers;
+      /** By rows and the matrix along the last direction. */
+      std::map<std::pair<unsigned int, Kind>, std::vector<Term>> terms;
     };
 
     static constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
 
-    const Material       material;
-    const LevelGrid<dim> grid;
-    const unsigned int   degree;
-    const unsigned int   width; ///< of the bands
-    const bool           has_mass;
-    const Entries        entries;
-    const unsigned int   n_plane; ///< nodes of a plane across the body
-    const unsigned int   margin;  ///< between planes, for neighbours
-    const unsigned int   length;  ///< of a plane, filled up
+    /** Each component by four matrices, in make_sums(). */
+    static constexpr unsigned int max_lines = 4 * dim;
+
+    const unsigned int degree;
+    const unsigned int width; ///< of the bands
+    Entries            entries;
+    const unsigned int n_plane; ///< nodes of a plane across the body
+    const unsigned int length;  ///< of a plane, filled up
+    const std::size_t  stride;  ///< of planes, with room for neighbours
 
     std::array<std::array<Banded, n_kinds>, 2> axes; ///< along, across
+    std::array<Sum, laplacian + 1>             sums;
 
     /** Those across, for each node of a plane; see coefficient(). */
-    AlignedVector<Number> coefficients;
-    std::array<Plan, 4>   plans;
+    mutable AlignedVector<Number> coefficients;
 
-    mutable AlignedVector<Number> planes, buffers;
-
-    static unsigned int
-    n_components(const Field::Block field)
-    {
-      return field == Field::temperature ? 1 : dim;
-    }
-
-    static Operator
-    of(const Field::Block field)
-    {
-      return field == Field::temperature ? heat : momentum;
-    }
+    /** Planes; zero between them and where they are filled up. */
+    mutable AlignedVector<Number> scratch;
 
     /** Place of the first one in @p coefficients. */
     std::size_t
@@ -213,21 +175,38 @@ namespace ThermoContact
       return std::size_t((direction - 1) * n_kinds + kind) * width * length;
     }
 
-    LevelMatrix(const Scene          &scene,
-                const Geometry<dim>  &geometry,
-                const LevelGrid<dim> &grid,
-                Entries               entries,
-                const bool            has_mass,
-                const bool            has_massless_nodes);
+    /** Of a line: an entry of its matrix. */
+    double
+    along(const Line        &line,
+          const double       mass,
+          const double       stiffness,
+          const unsigned int k,
+          const unsigned int i) const
+    {
+      const double entry = axes[0][line.kind][k][i];
+      return line.mass == nothing ? entry :
+                                    stiffness * line.factor * entry +
+                                      mass * axes[0][line.mass][k][i];
+    }
 
-    /** The integrals over the cells of a direction. */
+    double
+    scale(const Line &line, const Term &term, const double stiffness) const
+    {
+      return line.mass == nothing ? stiffness * term.factor : 1.;
+    }
+
     void
     integrate(const Geometry<dim> &geometry,
+              const Material      &material,
               const bool           is_across,
               const bool           has_massless_nodes);
 
-    std::vector<Term>
-    terms(const Operator op) const;
+    /** What add() works with; once. */
+    void
+    prepare_planes() const;
+
+    void
+    make_sums(const Material &material, const bool has_mass);
 
     /** add() with bands of a known width. */
     template <unsigned int width>
@@ -237,9 +216,6 @@ namespace ThermoContact
                const double   stiffness,
                Number        *y,
                const Number  *x) const;
-
-    Plan
-    make_plan(const Operator op) const;
   };
 } // namespace ThermoContact
 

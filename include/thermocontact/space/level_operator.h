@@ -9,6 +9,16 @@
 
 namespace ThermoContact
 {
+  /** Of a field of a body. */
+  template <int dim>
+  constexpr unsigned int
+  n_components(const Field::Block field)
+  {
+    return field == Field::temperature ? 1 : dim;
+  }
+
+
+
   /** A vector of one field on a level of a V-cycle. */
   template <typename Number>
   using LevelVector = LinearAlgebra::distributed::Vector<Number>;
@@ -45,6 +55,12 @@ namespace ThermoContact
           const double               stiffness,
           LevelVector<Number>       &y,
           const LevelVector<Number> &x) const = 0;
+
+    /** Of the matrix of vmult(). Collective. */
+    virtual LevelVector<Number>
+    diagonal(const Field::Block field,
+             const double       mass,
+             const double       stiffness) const = 0;
   };
 } // namespace ThermoContact
 
