@@ -8,6 +8,7 @@ import csv
 import sys
 from pathlib import Path
 
+from contents import contents, different
 from program import run, settings
 
 directory = Path(sys.argv[1])
@@ -17,6 +18,15 @@ if (directory / "study.csv").exists():
     with open(directory / "study.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(row for row in file if row[0] != "#"))
     print("the study again: status", status, message, *(row["status"] for row in rows))
+    Path("rows.csv").write_text("t, F\n0, 1\n2, 2\n")
+    Path("scene.prm").write_text(used.read_text())
+    status = [run("--quiet", "--output", "first", *settings(
+        ["Study/Vary=", "Study/Keep files=false", "Sources/End traction=table(rows.csv, t)"]),
+        "scene.prm")[0]]
+    Path("rows.csv").unlink()
+    status.append(run("--quiet", "--output", "again", "first/used.prm")[0])
+    print("with a table, and again without its file: status", *status,
+          *different(contents(Path("first")), Path("again")))
 (directory / "mine.csv").touch()
 scene = Path("scene.prm")
 scene.write_text(used.read_text())

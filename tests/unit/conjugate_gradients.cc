@@ -5,15 +5,12 @@
 // after n/2 = 5 steps by symmetry, to rounding 1e-13; in 3 steps they fail,
 // with an error that names what was to be found, the numbers and the remedy.
 //
-// FlexibleGmres with b in two blocks, without a preconditioner: A b is 1 at the
-// ends and 0 between. k products of symmetric vectors reach k entries from each
-// end, so that after k steps those are zero and the others 1: the residual is
-// sqrt(10 - 2 k), and with k = 1, x = b. Begun anew after each step, the second
-// one has r = (0, 1, 1, 1, 1 ...), A r = (-1, 1, 0, 0, 0 ...), x = b + r/2 and
-// the residual (1/2, 1/2, 1, 1, 1 ...), sqrt(7). Directions are kept in single
-// precision: 5 steps end at 1e-6, and 10, or 4 at a time, which A is not too
-// bad for, at 1e-12, with the solution to 1e-10. With a preconditioner that
-// differs from step to step, twice and once the identity, the same end.
+// FlexibleGmres with b in two blocks: A b is 1 at the ends and 0 between, and k
+// steps reach k entries from each end: the residual is sqrt(10 - 2 k). Begun
+// anew after each step, the second one has r = (0, 1, 1, 1, 1 ...), A r = (-1,
+// 1, 0 ...) and the residual (1/2, 1/2, 1, 1, 1 ...), sqrt(7). Directions are
+// kept in single precision: 5 steps end at 1e-6, more, or 4 at a time, at
+// 1e-12; the same if every other one is doubled by the preconditioner.
 
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/time/flexible_gmres.h>

@@ -30,6 +30,9 @@
 // landing on multiples of 0.25: step n ends n/4 1e-7 early and has landed on
 // multiple n; were it not, a step of n/4 1e-7 would follow. Four steps. As
 // steps that are counted: T/dt = 4 (1 + 1e-7), 4; with dt = 0.25 (1 - 1e-5): 5.
+// No step is accepted: with error 2 of size 0.02 after one that is accepted,
+// and 200, a hundred times as much, of 1e-4, rounding; 1e-14 is rounding of
+// 0.5.
 
 #include <thermocontact/base/multiples.h>
 #include <thermocontact/time/step_controller.h>
@@ -237,6 +240,23 @@ namespace
     parameters.time.step_size = 0.25 * (1. - 1e-5);
     deallog << "; expected " << parameters.time.n_steps() << std::endl;
   }
+
+
+
+  void
+  test_exhaustion()
+  {
+    const StepAttempt before{0.4, 0.1, 0.01, true, "ok"},
+      coarse{0.5, 0.02, 2., false, rejected_by_tolerance},
+      fine{0.5, 1e-4, 200., false, rejected_by_tolerance},
+      finest{0.5, 1e-14, 100., false, rejected_by_tolerance};
+    for (const auto &attempts : {std::vector<StepAttempt>{before, fine},
+                                 {before, coarse, fine},
+                                 {before, coarse, finest}})
+      deallog << describe_exhaustion(attempts, "", Parameters()) << std::endl;
+    deallog << describe_exhaustion({fine}, "no pressures", Parameters())
+            << std::endl;
+  }
 } // namespace
 
 
@@ -245,6 +265,7 @@ void
 main_step_controller()
 {
   initlog();
+  test_exhaustion();
   test_ladder();
   test_targets();
   test_multiples();
