@@ -83,10 +83,6 @@ namespace ThermoContact
     LevelVector<Number>
     laplacian_diagonal(const Field::Block field) const;
 
-    /** That of contact_stiffness(), at the nodes of the contact end. */
-    LevelVector<Number>
-    contact_stiffness_diagonal() const;
-
     static constexpr unsigned int n_lanes = Lanes<Number>::n_lanes;
 
   private:
