@@ -33,7 +33,7 @@ within(const double value, const double bound)
     text << all;
   else
     text << std::stod(all.substr(0, all.find('.')) + all.substr(exponent));
-  text << (value <= bound ? " <= " : " > ") << bound;
+  text << (value <= bound ? " <= " : " exceeds ") << bound;
   return text.str();
 }
 

@@ -43,9 +43,10 @@ raise(double &largest, const double value)
 
 /**
  * A value that must not exceed its bound, with both, "3e-13 <= 1e-09"; one that
- * does says ">". Of the value the first digit alone: numdiff accepts any change
- * of a number below 1e-6, which is rounding, and larger ones are errors of the
- * method, whose first digit is the same on every machine.
+ * does says so in a word, since numdiff passes over '>'. Of the value the first
+ * digit alone: numdiff accepts any change of a number below 1e-6, which is
+ * rounding, and larger ones are errors of the method, whose first digit is the
+ * same on every machine.
  */
 std::string
 within(const double value, const double bound);

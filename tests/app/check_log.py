@@ -55,8 +55,10 @@ def expected_lines(run):
     first, shown = run.contact["energy"][0], parts.copy()
     if last.get("lateral_dissipation"):  # the part of the dissipation behind it
         shown.insert(2, last["lateral_dissipation"])
+    left = last.get("algebraic", 0)  # by the iterative solver
     yield "energy", "", [(value, SIX, 0) for value in (first, last["work"], *shown)] + [
-        (first + last["work"] - sum(parts), TWO, 1e-11 * (abs(first) + abs(last["work"])))]
+        (left, TWO, 0)] * int(left != 0) + [(first + last["work"] + left - sum(parts), TWO,
+                                          1e-11 * (abs(first) + abs(last["work"])))]
     yield "cost", "", [(s[key], 0, 0) for key in (
         "steps", "rejected_steps", "factorizations", "solves")] + [
         (1e6 * s["loop_seconds"] / s["steps"], THREE, 0)]

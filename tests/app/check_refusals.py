@@ -404,11 +404,13 @@ def begins_with(message, entry):
 
 
 def has_value(message, scene, entry):
-    """A number is told as it was given."""
-    given = [float(o.partition("=")[2]) for o in scene if re.fullmatch(
-        rf"{re.escape(entry)}=[-+]?[.\d]+(e-?\d+)?", o)]
-    told = re.match(rf"{re.escape(entry)} = ([-+]?[.\d]+(?:e-?\d+)?)$", message, re.MULTILINE)
-    return not given or not told or float(told[1]) == given[-1]
+    """Numbers and words are told as they were given."""
+    given = next((o.partition("=")[2] for o in reversed(scene) if o.startswith(entry + "=")), "")
+    told = re.match(rf"{re.escape(entry)} = (.*)$", message, re.MULTILINE)
+    if not told or re.fullmatch("[a-z ]+", given):
+        return not told or told[1].startswith(given)
+    numbers = [re.fullmatch(r"[-+]?[.\d]+(e-?\d+)?", text) for text in (given, told[1])]
+    return not all(numbers) or float(numbers[0][0]) == float(numbers[1][0])
 
 
 def main():

@@ -158,7 +158,8 @@ def rod(eps, m, c, n=16, method="Radau", rtol=1e-11):
     system = Rod(eps, m, c, n)
     end = 2 * system.n - 1
     rows, events = in_parts(system.rate, system.start, 1.2,
-                            lambda y: system.g - y[end], [0.8, 1.0], method, rtol, system.jac if method == "Radau" else None)
+                            lambda y: system.g - y[end], [0.2, 0.8], method, rtol,
+                            system.jac if method == "Radau" else None)
     result = [(f"event{i}", 0.0, t) for i, (t, _) in enumerate(events)]
     for t, y in rows:
         result += [("displacement", t, y[end]), ("velocity", t, y[-1]),

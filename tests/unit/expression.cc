@@ -279,4 +279,11 @@ main_expression()
   test_derivatives("x^t", 0.);
   test_derivatives("if(0.4,t,5)", 2.);
   test_other_variables();
+  const auto is_first = [](const std::string &text) {
+    return Expression("here", "sin(t)+2*x", names) ==
+           Expression("here", text, names);
+  };
+  deallog << "the same: " << is_first("sin(t) + 2*x")
+          << ", others: " << is_first("cos(t)+2*x") << is_first("sin(t)+3*x")
+          << is_first("sin(x)+2*x") << is_first("sin(t)") << std::endl;
 }

@@ -14,7 +14,7 @@
 //    the obstacle, -int p g' dt by Simpson's rule. With sdirk4 the rigid one is
 //    asked for 1e-10 of the displacement, which is rounding, and 1e-7 of the
 //    work, whose pressures are of lower order; so where the end is held by it
-//    until an event.
+//    until an event, to 1e-9 (measured: 1e-10).
 // 2. A spring and a mass, one cell, lumped, zeta = 0: k = 1, M = b/2. A rigid
 //    obstacle touches it, rests until t = 1, comes with V = 1/5 until t = 2
 //    and rests again. At t = 1 the impulse M V, then the force V (t - 1): the
@@ -144,10 +144,11 @@ namespace
       return number(std::min(std::log2(error[0][i] / error[1][i]) + 0.15,
                              static_cast<double>(order)));
     };
-    const bool is_rigid = obstacle.power == 0.;
-    const bool is_exact = is_rigid && order == 4; // but for rounding
+    const bool   is_rigid = obstacle.power == 0.;
+    const bool   is_exact = is_rigid && order == 4; // but for rounding
+    const double bound    = obstacle.name == "rigid" ? 1e-10 : 1e-9;
     deallog << obstacle.name << ", " << scheme << ": displacement "
-            << (is_exact ? within(error[1][0], 1e-10) : order_of(0))
+            << (is_exact ? within(error[1][0], bound) : order_of(0))
             << ", velocity " << (!is_rigid && order > 2 ? "-" : order_of(1))
             << (is_rigid ? ", impulse " : ", pressure ")
             << (!is_rigid && order > 3 ? "-" : order_of(is_rigid ? 3 : 2))
