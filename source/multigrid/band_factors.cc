@@ -16,12 +16,17 @@ namespace ThermoContact
 
 
   void
-  BandFactors::factorize()
+  BandFactors::factorize(const double smallest)
   {
+    std::vector<double> least(n);
+    for (unsigned int j = 0; j < n; ++j)
+      least[j] = smallest * entry(j, j);
     for (unsigned int j = 0; j < n; ++j)
       {
         const unsigned int end = std::min(n, j + band + 1);
-        if (!(entry(j, j) > 0.))
+        if (entry(j, j) < least[j])
+          entry(j, j) = least[j];
+        if (smallest == 0. && !(entry(j, j) > 0.))
           throw ComputationError(
             "a matrix of multigrid is not positive\n"
             "  remedy:  check the coefficients of section Model, the mesh and "

@@ -367,7 +367,7 @@ namespace ThermoContact
     const unsigned int  n_c     = spaces.n_nodes(family.c);
     const double        mu      = 0.5 * spaces.material.two_mu;
     const double        tension = spaces.material.lambda + 2. * mu;
-    std::vector<double> extra(n), smallest(n);
+    std::vector<double> extra(n);
     for (std::size_t line = 0; line < n_lines; ++line)
       {
         bool has_changed = false;
@@ -399,15 +399,13 @@ namespace ThermoContact
                     (mass * axis.stiffness[at] + change * axis.mass[at]);
                 }
             matrix.entry(i, i) += extra[i];
-            smallest[i] =
-              Tolerances::smallest_single_pivot * matrix.entry(i, i);
           }
-        matrix.factorize();
+        matrix.factorize(Tolerances::smallest_single_pivot);
         for (unsigned int i = 0; i < n; ++i)
           {
             const std::size_t place = i * n_lines + line;
             factors.inverse_pivots[place] =
-              is_held(i) ? 0. : 1. / std::max(matrix.entry(i, i), smallest[i]);
+              is_held(i) ? 0. : 1. / matrix.entry(i, i);
             for (unsigned int k = 1; k <= std::min(i, degree); ++k)
               factors.multipliers[(k - 1) * n_places + place] =
                 matrix.entry(i, i - k);

@@ -55,9 +55,9 @@ namespace ThermoContact
   MultigridLevels<dim, Number>::MultigridLevels(const Body<dim> &body)
     : body(body)
   {
-    const Discretization<dim>  &space = body.discretization;
-    const LevelGrid<dim>        of_body(body.scene.parameters.mesh);
-    std::vector<LevelGrid<dim>> grids = coarser_grids(of_body);
+    const Discretization<dim>        &space = body.discretization;
+    const LevelGrid<dim>              of_body(body.scene.parameters.mesh);
+    const std::vector<LevelGrid<dim>> grids = coarser_grids(of_body);
     coarse_matrix_ =
       std::make_unique<const LevelMatrix<dim, double>>(body.scene,
                                                        space.geometry(),
@@ -72,7 +72,6 @@ namespace ThermoContact
       }
     auto products =
       std::make_unique<const CellProducts<dim, Number>>(body.scene, space);
-    grids.push_back(of_body);
     levels.emplace_back();
     for (const Field::Block field : all_fields)
       if (space.has_field(field))

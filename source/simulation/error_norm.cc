@@ -8,14 +8,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** Of errors that change from node to node, over their displacements. */
-    constexpr double strains_of_errors = 100.;
-  } // namespace
-
-
-
   ErrorNorm::ErrorNorm(const double temperature_energy,
                        const double heating,
                        const double accuracy)
@@ -55,7 +47,8 @@ namespace ThermoContact
                         const double       rigid_displacement)
   {
     const bool is_rounding =
-      std::max({max_mechanical, first_mechanical, energy.elastic}) <=
+      std::max(
+        {max_mechanical, first_mechanical, energy.elastic, energy.kinetic}) <=
       Tolerances::rounding_of_sum * rigid_displacement * rigid_displacement;
     // Without a scale of its own the error of a load that starts like a power
     // of t has the same relative size for every step.
@@ -69,7 +62,9 @@ namespace ThermoContact
       return part == 0. ? 0. : part / whole;
     };
     const double smallest_elastic =
-      0.5 * std::pow(strains_of_errors * accuracy * rigid_displacement, 2);
+      0.5 *
+      std::pow(Tolerances::strains_of_errors * accuracy * rigid_displacement,
+               2);
     const double elastic_error =
       is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
     const double thermal =

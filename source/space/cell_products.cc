@@ -14,7 +14,6 @@
 
 #include <cmath>
 #include <map>
-#include <type_traits>
 #include <utility>
 
 namespace ThermoContact

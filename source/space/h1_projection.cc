@@ -5,7 +5,6 @@
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/expression_function.h>
 #include <thermocontact/space/h1_projection.h>
-#include <thermocontact/space/lanes.h>
 #include <thermocontact/space/linear_map.h>
 
 #include <deal.II/base/polynomial.h>

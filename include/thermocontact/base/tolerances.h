@@ -38,6 +38,12 @@ namespace ThermoContact
     /** Of solutions of linear systems with a condition of some thousand. */
     inline constexpr double rounding_of_solution = 1e-13;
 
+    /**
+     * Of errors of solutions, which change from node to node, over the errors:
+     * with a hundred nodes along the body.
+     */
+    inline constexpr double strains_of_errors = 100.;
+
     /** Of what a user writes as products, of projections, of coordinates. */
     inline constexpr double rounding_of_data = 1e-12;
 

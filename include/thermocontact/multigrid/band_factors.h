@@ -21,9 +21,14 @@ namespace ThermoContact
       return columns[std::size_t(column) * band + row];
     }
 
-    /** In place. @throw ComputationError if the matrix is not positive */
+    /**
+     * In place.
+     *
+     * @param smallest of its diagonal, what a pivot is at least; 0: no bound
+     * @throw ComputationError if there is none and the matrix is not positive
+     */
     void
-    factorize();
+    factorize(const double smallest = 0.);
 
     /** In place: right-hand side to solution. */
     void

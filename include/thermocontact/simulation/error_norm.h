@@ -22,7 +22,7 @@ namespace ThermoContact
    * rounding of the temperature itself, of which $\hat\theta$ may be a tiny
    * part, counts as none, and so does one of the displacement, as large as what
    * solutions of stages leave, in a body whose end moves it so far that its
-   * elastic energy is rounding.
+   * mechanical energy is rounding.
    */
   class ErrorNorm
   {
