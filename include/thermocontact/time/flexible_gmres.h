@@ -138,8 +138,8 @@ namespace ThermoContact
     // they would add to what is there while a step is written
     basis.clear();
     directions.clear();
-    residual  = BlockVector();
-    direction = BlockVector();
+    residual.reinit(0);
+    direction.reinit(0);
     return result;
   }
 } // namespace ThermoContact
