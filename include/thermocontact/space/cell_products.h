@@ -21,9 +21,9 @@ namespace ThermoContact
    * Products with the matrices (D1.5) of a body without constraints: cell by
    * cell, by sums over one direction after the other and with several cells at
    * a time in the lanes of SIMD instructions; of degree 1 on one rank by
-   * LevelMatrix;
-   * to the rounding of @p Number, float for preconditioners. For meshes whose
-   * cells are boxes along the axes, as all of a Discretization are.
+   * LevelMatrix. To the rounding of @p Number, float for preconditioners. For
+   * meshes whose cells are boxes along the axes, as all of a Discretization
+   * are.
    *
    * Vectors come from Discretization::make_vector() or make_vector(); @p y is
    * replaced. Products are collective.
