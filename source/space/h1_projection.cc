@@ -299,12 +299,11 @@ namespace ThermoContact
     std::vector<unsigned int>            rows(lexicographic.size());
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     std::vector<double>                  nodal, differences, part, scratch;
-    const unsigned int n_components = field == Field::temperature ? 1 : dim;
 
     Vector rhs(discretization.owned_by_block()[field],
                discretization.relevant_by_block()[field],
                discretization.communicator());
-    for (unsigned int c = first; c < first + n_components; ++c)
+    for (unsigned int c = first; c < first + n_components<dim>(field); ++c)
       {
         CellLines<dim> lines;
         for (unsigned int d = 0; d < dim; ++d)

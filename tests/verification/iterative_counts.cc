@@ -2,20 +2,18 @@
 //
 // What the iterative solver of stages counts, whatever the machine.
 //
-// 1. Krylov iterations of a cube, nu = 0.3, to 1e-8: at most 14 for degrees 1,
-//    2 and 4, stages of 1e-3 to 1e-1, no inertia, a = 1, and at most 2 more on
-//    cells a half or a quarter as long. A V-cycle that leaves a tenth of the
-//    error takes 8. Measured: 6 to 10, 2 more for degree 1 and the shortest
-//    stage, else 1. As many at most for a round rod, for cells 16 times as wide
-//    as long and for lengths from 1 to 200; measured: 9 to 11.
-//    As many for nu = 0.45 and 0.4999 without inertia; measured: 9 and 10.
+// 1. Krylov iterations of a cube, nu = 0.3, to 1e-8: at most 14 for degrees 1
+//    and 2, stages of 1e-3 to 1e-1, no inertia, a = 1, and at most 2 more on
+//    cells a quarter or half as long. A V-cycle that leaves a tenth of the
+//    error takes 8. They are the same on every machine, so that the counts
+//    themselves stand here: 6 to 10. As many at most for a round rod, for cells
+//    16 times as wide as long and for lengths from 1 to 200, and for nu = 0.45
+//    and 0.4999 without inertia.
 //    Contact nodes without mass in stages of 1e-12, as they end before an
 //    event: as many at most; coarse nodes stand for nodes with mass, too.
-//    Measured: 5; 9 where they alone are pulled.
 // 2. A patch of contact that grows over a face in steps of 0.01: at most 4 sets
 //    for a stage on average, at most 8, and no system with more than 1.6 times
-//    the iterations without obstacle + 2, for each compliance. Measured: 2 to
-//    2.5 sets, at most 3, and at most 9 iterations instead of 10.
+//    the iterations without obstacle + 2, for each compliance.
 // 3. What is made: a strip on rollers meets its obstacle with all its nodes,
 //    so that there are two sets, with contact and without: in steps of one size
 //    1 for the stage length and 1 for the set, however often contact begins.
@@ -81,12 +79,10 @@ namespace
     const auto report = [&](const std::string &name,
                             const double       tau,
                             const Overrides   &overrides) {
-      std::vector<unsigned int> counts;
+      deallog << dim << "-D, degree " << degree << ", " << name << ':';
       for (const unsigned int n : n_cells)
-        counts.push_back(iterations<dim>(degree, n, tau, overrides));
-      deallog << dim << "-D, degree " << degree << ", " << name << ": "
-              << within(counts.back(), 14) << ", grow by 2 "
-              << (counts.back() <= counts.front() + 2) << std::endl;
+        deallog << ' ' << iterations<dim>(degree, n, tau, overrides);
+      deallog << std::endl;
     };
     for (const double tau : {1e-3, 1e-1})
       report("tau = " + significant(tau, few_digits), tau, {});
@@ -107,8 +103,7 @@ namespace
                              "Initial values/Velocity=x*(1+y)"};
     for (const unsigned int degree : {1, 2})
       deallog << "2-D, degree " << degree << ", massless nodes, tau = 1e-12: "
-              << within(iterations<2>(degree, 16, 1e-12, massless), 14)
-              << std::endl;
+              << iterations<2>(degree, 16, 1e-12, massless) << std::endl;
     // a cold body between rollers is pulled at these nodes alone: what the
     // others have is rounding
     const Overrides cold{"Boundary/Lateral support=rollers",
@@ -116,8 +111,7 @@ namespace
                          "Initial values/Temperature=-8",
                          "Boundary/Fixed end temperature=-8"};
     deallog << "force at massless nodes alone: "
-            << within(iterations<2>(2, 4, 0.03, massless + cold), 14)
-            << std::endl;
+            << iterations<2>(2, 4, 0.03, massless + cold) << std::endl;
   }
 
 
@@ -202,12 +196,10 @@ namespace
           sum += r.iterations;
           largest = std::max(largest, r.iterations);
         }
-    const unsigned int without = free.counters.max_linear_iterations;
-    deallog << dim << "-D, " << obstacle << ": several steps " << (n >= 5)
-            << ", sets at most 4 on average " << within(sum / n, 4) << ", 8 "
-            << within(largest, 8) << "; iterations at most 1.6 times + 2 "
-            << (run.counters.max_linear_iterations <= 1.6 * without + 2.)
-            << std::endl;
+    deallog << dim << "-D, " << obstacle << ": steps " << n << ", sets " << sum
+            << ", at most " << largest << "; iterations "
+            << run.counters.max_linear_iterations << ", without "
+            << free.counters.max_linear_iterations << std::endl;
   }
 } // namespace
 
@@ -220,16 +212,14 @@ main_iterative_counts()
   deallog << "Krylov iterations of cubes" << std::endl;
   count_iterations<2>(1, {16, 64});
   count_iterations<2>(2, {8, 32});
-  count_iterations<2>(4, {4, 16});
   count_iterations<3>(1, {4, 8});
   count_iterations<3>(2, {2, 4});
-  count_iterations<3>(4, {1, 2});
 
   const Overrides round{"Mesh/Geometry=axisymmetric"};
-  deallog << "round rod: " << within(iterations<2>(2, 8, 1e-2, round), 14);
+  deallog << "round rod: " << iterations<2>(2, 8, 1e-2, round);
   for (const std::string mesh : {"Width=16", "Grading=200"})
     deallog << "; " << mesh << ": "
-            << within(iterations<3>(2, 4, 0.1, {"Mesh/" + mesh}), 14);
+            << iterations<3>(2, 4, 0.1, {"Mesh/" + mesh});
   deallog << std::endl;
   // what keeps its volume is soft
   for (const std::string nu : {"0.45", "0.4999"})
@@ -237,10 +227,9 @@ main_iterative_counts()
       const Overrides soft{"Model/Poisson ratio=" + nu,
                            "Model/Inertia=0",
                            "Initial values/Temperature=theta_A"};
-      deallog << "nu = " << nu << ": "
-              << within(iterations<2>(2, 16, 0.1, soft), 14) << ", "
-              << within(iterations<2>(4, 8, 0.1, soft), 14) << ", "
-              << within(iterations<3>(2, 4, 0.1, soft), 14) << std::endl;
+      deallog << "nu = " << nu << ": " << iterations<2>(2, 16, 0.1, soft)
+              << ", " << iterations<2>(4, 8, 0.1, soft) << ", "
+              << iterations<3>(2, 4, 0.1, soft) << std::endl;
     }
   count_short_stages();
 
