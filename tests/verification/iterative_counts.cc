@@ -6,11 +6,11 @@
 //    and 2, stages of 1e-3 to 1e-1, no inertia, a = 1, and at most 2 more on
 //    cells a quarter or half as long. A V-cycle that leaves a tenth of the
 //    error takes 8. They are the same on every machine, so that the counts
-//    themselves stand here: 6 to 10. As many at most for a round rod, for cells
-//    16 times as wide as long and for lengths from 1 to 200, and for nu = 0.45
-//    and 0.4999 without inertia.
-//    Contact nodes without mass in stages of 1e-12, as they end before an
-//    event: as many at most; coarse nodes stand for nodes with mass, too.
+//    themselves stand here: 5 to 10, 14 for lengths from 1 to 200. As many at
+//    most for a round rod, for cells 16 times as wide as long and for lengths
+//    from 1 to 200, and for nu = 0.45 and 0.4999 without inertia. Contact nodes
+//    without mass in stages of 1e-12, as they end before an event: as many at
+//    most; coarse nodes stand for nodes with mass, too.
 // 2. A patch of contact that grows over a face in steps of 0.01: at most 4 sets
 //    for a stage on average, at most 8, and no system with more than 1.6 times
 //    the iterations without obstacle + 2, for each compliance.
