@@ -220,7 +220,8 @@ main_iterative_counts()
   for (const std::string mesh : {"Width=16", "Grading=200"})
     deallog << "; " << mesh << ": "
             << iterations<3>(2, 4, 0.1, {"Mesh/" + mesh});
-  deallog << std::endl;
+  // its coarsest level is itself
+  deallog << "; one cell: " << iterations<2>(2, 1, 0.1, {}) << std::endl;
   // what keeps its volume is soft
   for (const std::string nu : {"0.45", "0.4999"})
     {
