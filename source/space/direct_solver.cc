@@ -33,18 +33,7 @@ namespace ThermoContact
   void
   DirectSolver::solve(VectorType &x, const VectorType &b)
   {
-    try
-      {
-        solver.solve(x, b);
-      }
-    catch (const ExceptionBase &)
-      {
-        throw ComputationError(
-          "a back-substitution (KLU) with a matrix of size " +
-          std::to_string(matrix_.m()) +
-          " failed\n  remedy:  check the coefficients of section Model, the "
-          "mesh and Time/Step size for extreme values");
-      }
+    solver.solve(x, b);
   }
 
 

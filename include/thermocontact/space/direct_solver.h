@@ -20,11 +20,7 @@ namespace ThermoContact
     /** @throw ComputationError if the matrix cannot be factorised. */
     explicit DirectSolver(SparseMatrix &&matrix);
 
-    /**
-     * Back-substitution $x = A^{-1} b$, both without ghosts.
-     *
-     * @throw ComputationError if it fails
-     */
+    /** Back-substitution $x = A^{-1} b$, both without ghosts. */
     template <typename VectorType>
     void
     solve(VectorType &x, const VectorType &b);
