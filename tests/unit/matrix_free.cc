@@ -32,6 +32,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "../cycle.h"
 #include "../matched_spaces.h"
@@ -107,32 +108,27 @@ namespace
     void
     report() const
     {
-      const auto &heat     = Field::temperature;
-      const auto &momentum = Field::displacement;
-      const auto &free     = free_equations;
-      deallog
-        << "numbered alike " << spaces.is_complete << "; M "
-        << product(heat, heat, equations.heat_mass, free.heat_mass)
-        << ", K + kB + L "
-        << product(heat, heat, equations.conduction, free.conduction) << ", L "
-        << product(heat,
-                   heat,
-                   equations.lateral_exchange,
-                   free.lateral_exchange)
-        << ", D "
-        << product(momentum, heat, equations.divergence, free.divergence)
-        << ", D^T "
-        << product(heat,
-                   momentum,
-                   equations.thermal_stress,
-                   free.thermal_stress)
-        << ", M_u "
-        << product(momentum,
-                   momentum,
-                   equations.momentum_mass,
-                   free.momentum_mass)
-        << ", S "
-        << product(momentum, momentum, equations.stiffness, free.stiffness);
+      struct Product
+      {
+        std::string  name;
+        Field::Block from, to;
+        LinearMap FieldMaps::*map;
+      };
+      const auto heat = Field::temperature, momentum = Field::displacement;
+      deallog << "numbered alike " << spaces.is_complete << "; ";
+      for (const Product &of : std::vector<Product>{
+             {"M ", heat, heat, &FieldMaps::heat_mass},
+             {", K + kB + L ", heat, heat, &FieldMaps::conduction},
+             {", L ", heat, heat, &FieldMaps::lateral_exchange},
+             {", D ", momentum, heat, &FieldMaps::divergence},
+             {", D^T ", heat, momentum, &FieldMaps::thermal_stress},
+             {", M_u ", momentum, momentum, &FieldMaps::momentum_mass},
+             {", S ", momentum, momentum, &FieldMaps::stiffness}})
+        deallog << of.name
+                << product(of.from,
+                           of.to,
+                           equations.*of.map,
+                           free_equations.*of.map);
       report_diagonals();
       report_projection();
     }
@@ -180,21 +176,17 @@ namespace
     {
       const CellProducts<dim, double> &products =
         *free_equations.cell_products();
-      const auto &heat     = Field::temperature;
-      const auto &momentum = Field::displacement;
-      deallog << "; diagonals "
-              << diagonal(heat,
-                          matrices[ThermoContact::FieldMatrix::heat_mass],
-                          products.diagonal(heat, 1., 0.))
-              << diagonal(heat,
-                          matrices[ThermoContact::FieldMatrix::conduction],
-                          products.diagonal(heat, 0., 1.))
-              << diagonal(momentum,
-                          matrices[ThermoContact::FieldMatrix::momentum_mass],
-                          products.diagonal(momentum, 1., 0.))
-              << diagonal(momentum,
-                          matrices[ThermoContact::FieldMatrix::stiffness],
-                          products.diagonal(momentum, 0., 1.));
+      using Kinds     = ThermoContact::FieldMatrix;
+      const auto heat = Field::temperature, momentum = Field::displacement;
+      deallog << "; diagonals ";
+      for (const auto &[field, kind, mass] :
+           {std::tuple(heat, Kinds::heat_mass, 1.),
+            std::tuple(heat, Kinds::conduction, 0.),
+            std::tuple(momentum, Kinds::momentum_mass, 1.),
+            std::tuple(momentum, Kinds::stiffness, 0.)})
+        deallog << diagonal(field,
+                            matrices[kind],
+                            products.diagonal(field, mass, 1. - mass));
       double error = 0.; // of the Laplacian
       for (const Field::Block field : all_fields)
         {
