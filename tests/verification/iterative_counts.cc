@@ -11,7 +11,8 @@
 //    As many for nu = 0.45 and 0.4999 without inertia; measured: 9 and 10.
 //    Contact nodes without mass in stages of 1e-12, as they end before an
 //    event: as many at most; coarse nodes stand for nodes with mass, too.
-//    Measured: 5; 9 where they alone are pulled.
+//    Measured: 5; 9 where they alone are pulled. None where heat flows through
+//    a body under traction as it does at rest, but for 1e-9: terms cancel.
 // 2. A patch of contact that grows over a face in steps of 0.01: at most 4 sets
 //    for a stage on average, at most 8, and no system with more than 1.6 times
 //    the iterations without obstacle + 2, for each compliance. Measured: 2 to
@@ -78,22 +79,21 @@ namespace
   count_iterations(const unsigned int               degree,
                    const std::vector<unsigned int> &n_cells)
   {
-    const auto report = [&](const std::string &name,
-                            const double       tau,
-                            const Overrides   &overrides) {
+    unsigned int most   = 0;
+    bool         grow   = false;
+    const auto   report = [&](const double tau, const Overrides &overrides) {
       std::vector<unsigned int> counts;
       for (const unsigned int n : n_cells)
         counts.push_back(iterations<dim>(degree, n, tau, overrides));
-      deallog << dim << "-D, degree " << degree << ", " << name << ": "
-              << within(counts.back(), 14) << ", grow by 2 "
-              << (counts.back() <= counts.front() + 2) << std::endl;
+      most = std::max(most, counts.back());
+      grow |= counts.back() > counts.front() + 2;
     };
-    for (const double tau : {1e-3, 1e-1})
-      report("tau = " + significant(tau, few_digits), tau, {});
-    report("no inertia",
-           0.1,
-           {"Model/Inertia=0", "Initial values/Temperature=theta_A"});
-    report("a = 1", 0.1, {"Model/Coupling=1"});
+    report(1e-3, {});
+    report(1e-1, {});
+    report(0.1, {"Model/Inertia=0", "Initial values/Temperature=theta_A"});
+    report(0.1, {"Model/Coupling=1"});
+    deallog << dim << "-D, degree " << degree << ": " << within(most, 14)
+            << ", grow by more than 2 " << grow << std::endl;
   }
 
 
@@ -117,6 +117,16 @@ namespace
                          "Boundary/Fixed end temperature=-8"};
     deallog << "force at massless nodes alone: "
             << within(iterations<2>(2, 4, 0.03, massless + cold), 14)
+            << std::endl
+            << "as at rest: "
+            << iterations<2>(1,
+                             4,
+                             0.1,
+                             {"Model/Coupling=0",
+                              "Boundary/Lateral support=rollers",
+                              "Sources/End traction=1",
+                              "Initial values/Displacement=x+1e-9*sin(x)",
+                              "Initial values/Temperature=10-5*x+1e-9*sin(x)"})
             << std::endl;
   }
 
