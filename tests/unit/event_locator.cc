@@ -51,7 +51,6 @@
 
 #include "../tests.h"
 
-
 using namespace ThermoContact;
 
 namespace

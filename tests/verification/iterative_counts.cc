@@ -125,6 +125,7 @@ namespace
                              {"Model/Coupling=0",
                               "Boundary/Lateral support=rollers",
                               "Sources/End traction=1",
+                              "Initial values/Velocity=0",
                               "Initial values/Displacement=x+1e-9*sin(x)",
                               "Initial values/Temperature=10-5*x+1e-9*sin(x)"})
             << std::endl;
