@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Contact laws, no mesh.
-//
-// Every law of the program, at p between 0.1 and 3: d energy = p ds
-// and ds = tangent dp (central differences of step 1e-4 p, so to 1e-7),
-// pressure(s(p)) = p and penetration_of_energy(energy(p)) = s(p) unless it
-// is rigid, the resolvent solves z - chi p = s(p), odd where it is held,
-// odd penetrations; the mean pressure between two penetrations times their
+// Each contact law of the program, no mesh, at p between 0.1 and 3: d energy =
+// p ds and ds = tangent dp (central differences of step 1e-4 p, so to 1e-7),
+// pressure(s(p)) = p and penetration_of_energy(energy(p)) = s(p) unless it is
+// rigid, the resolvent solves z - chi p = s(p), odd where it is held, odd
+// penetrations; the mean pressure between two penetrations times their
 // difference is the difference of the energies.
 
 #include <thermocontact/contact/contact_law.h>
