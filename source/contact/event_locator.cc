@@ -254,7 +254,7 @@ namespace ThermoContact
       }
     if (is_aimed && is_near_zero)
       return {Finding::at_end, next.values.time, all_change, node};
-    return {Finding::nothing, 0.};
+    return {};
   }
 
 

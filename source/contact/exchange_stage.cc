@@ -80,7 +80,6 @@ namespace ThermoContact
         free[i] = response.free[i] - x_per_displacement * free[i];
         is_open &= laws[i].is_open(free[i]);
       }
-    pressure.resize(n);
     slope.assign(n, 0.);
     n_iterations = 0;
     if (is_open)

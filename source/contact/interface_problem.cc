@@ -75,30 +75,15 @@ namespace ThermoContact
   InterfaceProblem::evaluate(const FullMatrix<double>   &receptance,
                              const std::vector<NodeLaw> &laws,
                              const std::vector<double>  &free,
-                             Iterate                    &nodes)
+                             Iterate                    &nodes,
+                             const bool                  one_by_one)
   {
     nodes.pressure.resize(laws.size());
     nodes.slope.resize(laws.size());
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
-        const NodalPressure p = laws[i].resolve(nodes.z[i], receptance(i, i));
-        nodes.pressure[i]     = p.pressure;
-        nodes.slope[i]        = p.tangent.slope(receptance(i, i));
-      }
-    measure(receptance, free, nodes);
-  }
-
-
-
-  void
-  InterfaceProblem::sweep(const FullMatrix<double>   &receptance,
-                          const std::vector<NodeLaw> &laws,
-                          const std::vector<double>  &free,
-                          Iterate                    &nodes)
-  {
-    for (unsigned int i = 0; i < laws.size(); ++i)
-      {
-        nodes.z[i] = free[i] - loss_by_others(receptance, nodes.pressure, i);
+        if (one_by_one)
+          nodes.z[i] = free[i] - loss_by_others(receptance, nodes.pressure, i);
         const NodalPressure p = laws[i].resolve(nodes.z[i], receptance(i, i));
         nodes.pressure[i]     = p.pressure;
         nodes.slope[i]        = p.tangent.slope(receptance(i, i));
@@ -242,7 +227,7 @@ namespace ThermoContact
             pressure = present.pressure;
             return k;
           }
-        sweep(receptance, laws, free, present);
+        evaluate(receptance, laws, free, present, true);
         n_short_steps = 0;
       }
     throw ComputationError("the pressures of " + std::to_string(n) +

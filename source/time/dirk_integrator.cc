@@ -105,23 +105,9 @@ namespace ThermoContact
     set_sum(known.displacement, state.displacement, rate_sums[1].data(), i);
     set_sum(known.velocity, state.velocity, rate_sums[2].data(), i);
     const StageRates *const last = i > 0 ? &stages[i - 1] : nullptr;
-    known.time                   = state.time;
     known.contact_pressure = last ? last->pressure : state.contact_pressure;
     known.exchange_coefficient =
       last ? last->exchange_coefficient : state.exchange_coefficient;
-  }
-
-
-
-  template <int dim>
-  double
-  DirkIntegrator<dim>::stage_time(const State       &state,
-                                  const TimeStep    &time_step,
-                                  const unsigned int i) const
-  {
-    return i + 1 == tableau->n_stages() ?
-             time_step.end :
-             state.time + tableau->c[i] * time_step.size;
   }
 
 
@@ -132,8 +118,9 @@ namespace ThermoContact
                                  const TimeStep    &time_step,
                                  const unsigned int i) const
   {
-    return i + 1 == tableau->n_stages() ? time_step.last_loads :
-                                          stage_time(state, time_step, i);
+    return i + 1 == tableau->n_stages() ?
+             time_step.last_loads :
+             state.time + tableau->c[i] * time_step.size;
   }
 
 
@@ -199,6 +186,7 @@ namespace ThermoContact
       result.state = known; // the first one: gets its layout
     else
       result.state.swap(known);
+    result.state.time = time_step.end;
     result.state.known_penetration.clear();
     find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
@@ -242,7 +230,6 @@ namespace ThermoContact
 
         const double weight = tableau->b()[i] * time_step.size;
         result.algebraic += weight * stage.algebraic_power;
-        known.time = stage_time(state, time_step, i);
         advance(i, tau);
         book(known, weight, result);
         result.work += weight * driven.power(known,

@@ -24,13 +24,8 @@ namespace ThermoContact
       set_equal(to.temperature, from.temperature);
       set_equal(to.displacement, from.displacement);
       set_equal(to.velocity, from.velocity);
-      to.time                 = from.time;
-      to.load_time            = from.load_time;
-      to.jump_time            = from.jump_time;
       to.contact_pressure     = from.contact_pressure;
       to.exchange_coefficient = from.exchange_coefficient;
-      to.gap                  = from.gap;
-      to.gap_rate             = from.gap_rate;
     }
   } // namespace
 
@@ -163,7 +158,6 @@ namespace ThermoContact
                                         StepResult &result)
   {
     const double size = time_step.size;
-    midpoint.time     = state.time + 0.5 * size;
     move_obstacle(state, time_step);
     assemble_loads(time_step.first_loads, time_step.last_loads);
     solve_without_contact(state, time_step);

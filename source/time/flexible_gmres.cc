@@ -24,8 +24,6 @@ namespace ThermoContact
   void
   FlexibleGmres::start(const double norm)
   {
-    basis.clear();
-    directions.clear();
     columns.clear();
     rotations.clear();
     projected.assign(1, norm);

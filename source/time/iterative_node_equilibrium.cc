@@ -35,10 +35,9 @@ namespace ThermoContact
   double
   IterativeNodeEquilibrium<dim>::spring(const unsigned int node) const
   {
-    return tangents[node].is_open() || is_held(node) ?
-             0. :
-             body.contact_end().nodes()[node].weight /
-               tangents[node].compliance;
+    return is_held(node) ? 0. :
+                           body.contact_end().nodes()[node].weight /
+                             tangents[node].compliance;
   }
 
 
@@ -109,9 +108,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n; ++i)
       {
         if (!is_held(i))
-          b(i) = load[i] - by_held[i];
-        if (const double stiffness = spring(i); stiffness > 0.)
-          b(i) -= stiffness * penetration[i];
+          b(i) = load[i] - by_held[i] - spring(i) * penetration[i];
         inverse(i) = is_held(i) ? 1. : 1. / (diagonal[i] + spring(i));
       }
     conjugate_gradients("the equilibrium of the contact nodes",
@@ -166,8 +163,7 @@ namespace ThermoContact
     std::copy(laws.begin(), laws.end(), tangents.begin());
     std::vector<double> penetration(load->size(), 0.);
     for (unsigned int i = 0; i < n; ++i)
-      if (!laws[i].is_open())
-        penetration[i] = (*position)[i] - laws[i].offset;
+      penetration[i] = (*position)[i] - laws[i].offset;
     change                          = solve_linear(*load, penetration);
     const std::vector<double> force = product(change);
     new_position.resize(n);

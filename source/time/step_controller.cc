@@ -226,7 +226,6 @@ namespace ThermoContact
   void
   StepController::reject(const TimeStep &step, const double error)
   {
-    event_time.reset();
     was_rejected = true;
     const double factor =
       std::isfinite(error) ?
@@ -273,7 +272,6 @@ namespace ThermoContact
   bool
   StepController::retry_smaller(const TimeStep &step)
   {
-    event_time.reset();
     was_rejected = true;
     if (has_error_control)
       set_size(0.25 * step.size);

@@ -8,7 +8,9 @@
 // * A-stable: the poles 1/gamma of the stability function are positive and
 //   |R(iy)| <= 1; L-stable: R(z) -> 0 for z -> -infinity;
 // * the weights of the error estimate satisfy all conditions up to order p - 1,
-//   and not all of order p.
+//   and not all of order p. Those for a static body are the same, or of order 2
+//   and exact for the cubics u = t^m that the stages are on: their rates are
+//   a^{-1} c^m.
 
 #include <thermocontact/method/butcher_tableau.h>
 
@@ -151,6 +153,19 @@ main_butcher_tableau()
         raise(worst, defect(t, t.embedded_b, order));
       deallog << t.name << ", embedded: order " << t.order - 1 << " holds "
               << within(worst, 1e-14) << ", order " << t.order << " does not "
-              << (defect(t, t.embedded_b, t.order) > 1e-3) << std::endl;
+              << (defect(t, t.embedded_b, t.order) > 1e-3)
+              << ", of a static body ";
+      worst = std::max(defect(t, t.static_b, 1), defect(t, t.static_b, 2));
+      for (unsigned int m = 1; m <= 3; ++m)
+        {
+          Values rates(t.n_stages(), 0.);
+          for (unsigned int i = 0; i < t.n_stages(); ++i)
+            rates[i] =
+              (std::pow(t.c[i], m) - stage_sums(t, rates)[i]) / t.gamma();
+          raise(worst, std::abs(weigh(t.static_b, rates) - 1.));
+        }
+      deallog << (t.static_b == t.embedded_b ? "the same" :
+                                               within(worst, 1e-13))
+              << std::endl;
     }
 }

@@ -2,18 +2,10 @@
 //
 // Pressures of steps that conserve energy, no mesh.
 //
-// 1. One node, e = eps + X = 1/2, B = 1/4, g = 0. By hand, with the end
-//    x = A - p/2 and V(s) = [s]_+^2:
-//      start -1, A = 1: p (x + 1) = x^2 and p = 2 (1 - x) give 3 x^2 = 2,
-//        p = 2 - sqrt(8/3) = 0.367007
-//      start -1, A = -0.5: p = 0
-//      start  1, A = 1: p = (1 + x)/(2e) = 1 + x = 4/3, x = 1/3
-//      start  1, A = -1: 1 = p (1 - x) = p (2 + p/2),
-//        p = sqrt(6) - 2 = 0.449490
-// 2. One node, 4 branches, eps > 0 and eps = 0, lengths or stiffnesses of
+// 1. One node, 4 branches, eps > 0 and eps = 0, lengths or stiffnesses of
 //    1e-100, 1, 1e100: p of the closed form is that of a bisection of
 //    p - (V(s1) - V(s0))/(s1 - s0), which grows with p, to 1e-13.
-// 3. Several nodes. K random, symmetric positive definite, weights w random,
+// 2. Several nodes. K random, symmetric positive definite, weights w random,
 //    X = K^{-1} diag(w), B = G diag(w) with G random, symmetric, positive
 //    semidefinite of full or lower rank, of size 1. Whatever happens on the
 //    way, the work sum w p (s1 - s0) is V(s1) - V(s0),
@@ -23,9 +15,9 @@
 //    and 0, X of size 1 to 1e-10.
 //    Likewise between two stops, where the pressures of the rear one are
 //    negative, for one node, too; nodes go from one stop to the other.
-// 4. Nodes that change together: n times the same node, coupled and uncoupled.
+// 3. Nodes that change together: n times the same node, coupled and uncoupled.
 //    p is that of one node with the receptance of all.
-// 5. Three nodes that touch, X = [1 1/4 1/4; ...], and all move on by m, 3e-16
+// 4. Three nodes that touch, X = [1 1/4 1/4; ...], and all move on by m, 3e-16
 //    of their position and more, B = 0: p = m/2 / (1 + 2/4) to rounding, also
 //    where rounding hides that they move; the first update finds it, and the
 //    second iteration that it is found.
@@ -73,18 +65,6 @@ namespace
 
 
 
-  void
-  test_by_hand()
-  {
-    for (const auto &[start, free_end] : std::vector<std::pair<double, double>>{
-           {-1., 1.}, {-1., -0.5}, {1., 1.}, {1., -1.}})
-      deallog << "start " << start << ", free end " << free_end << ": p "
-              << pressure_of_node(0.25, 0.25, 0.25, start, free_end)
-              << std::endl;
-  }
-
-
-
   /** (V(end) - V(start)) / (end - start) for V = [s]_+^2/(2e). */
   double
   mean_slope(const double e, const double start, const double end)
@@ -121,11 +101,12 @@ namespace
   {
     std::mt19937                           generator(1);
     std::uniform_real_distribution<double> uniform(-1., 1.);
+    double                                 largest = 0.;
+    bool                                   are_all = true;
     for (const auto &[length, stiffness] :
          std::vector<std::pair<double, double>>{
            {1., 1.}, {1e-100, 1.}, {1e100, 1.}, {1., 1e-100}, {1., 1e100}})
       {
-        double                      largest = 0.;
         std::array<unsigned int, 4> n_branch{};
         for (unsigned int k = 0; k < 400; ++k)
           {
@@ -149,13 +130,10 @@ namespace
             ++n_branch[2 * (start > 0.) + (end > 0.)];
             raise(largest, p == exact ? 0. : std::abs(p - exact) / exact);
           }
-        deallog << "lengths " << length << ", stiffnesses " << stiffness
-                << ": all branches "
-                << (*std::min_element(n_branch.begin(), n_branch.end()) > 10)
-                << ", as bisection " << within(largest, 1e-13) << std::endl;
-        if (!(largest < 1e-13))
-          deallog << "  largest relative difference " << largest << std::endl;
+        are_all &= *std::min_element(n_branch.begin(), n_branch.end()) > 10;
       }
+    deallog << "one node: all branches " << are_all << ", as bisection "
+            << within(largest, 1e-13) << std::endl;
   }
 
 
@@ -282,11 +260,12 @@ namespace
   void
   test_work(const bool has_rear_stop)
   {
+    double       largest = 0.; // in its bound
+    unsigned int fewest  = 1000;
     for (const double compliance : {1., 1e-2, 1e-5, 1e-10, 0.})
       for (const double scale : {1., 1e-4, 1e-10})
         {
           std::mt19937 generator(2);
-          double       largest   = 0.;
           unsigned int n_changes = 0;
           for (unsigned int k = 0; k < 60; ++k)
             {
@@ -299,16 +278,14 @@ namespace
                                 k % 3 ? 1. : 1e-3,
                                 has_rear_stop,
                                 generator,
-                                n_changes));
+                                n_changes) /
+                      std::max(1e-12, 1e-15 / (compliance + scale)));
             }
-          deallog << (has_rear_stop ? "two stops, " : "") << "eps "
-                  << compliance << ", X of size " << scale
-                  << ": many nodes change "
-                  << (n_changes > (has_rear_stop ? 20 : 60)) << ", work "
-                  << within(largest,
-                            std::max(1e-12, 1e-15 / (compliance + scale)))
-                  << std::endl;
+          fewest = std::min(fewest, n_changes);
         }
+    deallog << (has_rear_stop ? "two stops" : "one obstacle")
+            << ": many nodes change " << (fewest > (has_rear_stop ? 20 : 60))
+            << ", work " << noise_within(largest, 1.) << std::endl;
   }
 
 
@@ -360,8 +337,6 @@ namespace
               }
     deallog << "nodes that change together: as one " << within(largest, 1e-12)
             << ", few iterations " << (n_iterations < 10) << std::endl;
-    if (!(largest < 1e-12))
-      deallog << "  largest difference " << largest << std::endl;
   }
 
 
@@ -399,7 +374,6 @@ void
 main_conserving_contact()
 {
   initlog();
-  test_by_hand();
   test_one_node();
   test_together();
   test_touch();

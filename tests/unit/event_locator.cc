@@ -34,9 +34,14 @@
 //    begin contact with 0.2 and end it with 0 there.
 //    Two stops, the rear one at -0.15, t = 1 + x: u = x - 1.6 x^2 meets the
 //    front at 1/8 and the rear at 3/4, its mirror image the rear first, at (1 -
-//    0.2)/3.2 = 1/4. Nodes in contact at one time: those with pressure, and
-//    those nearer to the obstacle than 1e-5 of the largest displacement 0.1, as
-//    above: 0.9e-6 but not 1.1e-6; 1e-17 is rounding.
+//    0.2)/3.2 = 1/4. u = -0.2 x, and -0.15 - 0.2 y + 0.4 y^2, y = t - 1.75:
+//    contact with the rear one from 1.75 to 2.25. Two nodes, without location:
+//    the second meets the front where its gap is 0.1 and then -0.1, at 1.5; at
+//    2 it leaves for the rear, where the first has the gap 0.2 and -0.1 at 3,
+//    so that it begins at 2 + 2/3, and 0.15 at 4: end at 3.4. Nodes in contact
+//    at one time: those with pressure, and those nearer to the obstacle than
+//    1e-5 of the largest displacement 0.1, as above: 0.9e-6 but not 1.1e-6;
+//    1e-17 is rounding.
 
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/method/bracketed_root.h>
@@ -45,7 +50,6 @@
 #include <limits>
 
 #include "../tests.h"
-
 
 using namespace ThermoContact;
 
@@ -127,6 +131,16 @@ namespace
             << ", in (5, 9): " << bracketed_root(line, 5., 9.).second
             << ", in (9, 9): " << bracketed_root(line, 9., 9.).first
             << std::endl;
+    try
+      {
+        bracketed_root([](const double x) { return std::sqrt(-1. - x); },
+                       0.,
+                       4.);
+      }
+    catch (const ComputationError &error)
+      {
+        deallog << error.what() << std::endl;
+      }
   }
 
 
@@ -176,7 +190,8 @@ namespace
     deallog << " events " << events.size();
     for (const ContactEvent &event : events)
       deallog << (event.kind == ContactEvent::begin ? ", begin " : ", end ")
-              << clean(event.time) << " with u_t " << event.velocity;
+              << clean(event.time) << " with u_t " << event.velocity
+              << (event.side < 0 ? " behind" : "");
     deallog << std::endl;
   }
 
@@ -366,6 +381,19 @@ namespace
              false,
              events);
       }
+    std::vector<ContactEvent> events;
+    EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3);
+    locator.start(values(1., {0.}, -0.2, {0.}, 0.15), events);
+    take(locator, values(1.75, {-0.15}, -0.2, {0.}, 0.15), true, events);
+    take(locator, values(2., {-0.175}, 0., {-2.5}, 0.15), false, events);
+    take(locator, values(2.25, {-0.15}, 0.2, {0.}, 0.15), true, events);
+
+    EventLocator none(*compliant, false, NodeOrder::inertial, 1e-3);
+    none.start(values(1., {-0.1, 0.}, 0.5, {0., 0.}, 0.15), events);
+    none.accept(values(2., {0.05, 0.2}, 0.7, {0., 10.}, 0.15), {}, events);
+    none.accept(values(3., {-0.25, -0.1}, -0.4, {-10., 0.}, 0.15), {}, events);
+    none.accept(values(4., {0., 0.05}, 0.3, {0., 0.}, 0.15), {}, events);
+    print_events(events);
   }
 
 

@@ -13,6 +13,11 @@
 //    pairs of nodes and of 1 at the last one: the product with the constant 0.7
 //    is the exchange alone to 1e-15, and so is the form, of 4 cells of degree 3
 //    0.49 (1 + 64/2^7). Where entries were added up it would be 1e-11.
+// 4. Forms of 100 linear cells whose terms cancel. [1, -1; -1, 1] of u_i = 1e8
+// +
+//    i is the sum of 100 squares of 1, 100. [1, 1; 1, 1] / 4 of v_i = (-1)^i
+//    1e8 + i is the sum of (2 i + 1)^2 / 4 for i < 100, 100 (4 * 100^2 - 1) /
+//    12 = 333325. Row by row both lose all digits.
 
 #include <cmath>
 #include <limits>
@@ -213,6 +218,28 @@ namespace
     deallog << "heat exchange: conduction of a constant in its bound "
             << (error <= 1e-15 ? "yes" : "no") << std::endl;
   }
+
+
+  /** Case 4. @param sign of the entries off the diagonal */
+  void
+  test_cancellation(const double sign)
+  {
+    const double      size = sign < 0. ? 1. : 0.25;
+    const RodMatrices rod({100, 1},
+                          0.,
+                          [&](const RodMatrices::Matrix,
+                              const unsigned int,
+                              const unsigned int i,
+                              const unsigned int j) {
+                            return i == j ? size : sign * size;
+                          });
+    Values            x;
+    for (unsigned int i = 0; i <= 100; ++i)
+      x.push_back((sign > 0. && i % 2 == 1 ? -1e8 : 1e8) + i);
+    deallog << (sign < 0. ? "differences of a large displacement " :
+                            "sums of an alternating velocity ")
+            << rod.form(RodMatrices::stiffness, x.data()) << std::endl;
+  }
 } // namespace
 
 
@@ -224,4 +251,6 @@ main_rod()
   test_products();
   test_runs();
   test_exchange();
+  test_cancellation(-1.);
+  test_cancellation(1.);
 }

@@ -12,7 +12,12 @@
 //    [e - 1, 1; 1, 1] make rows [e 1; 1 1] of the two vertices, e = 1e-8: the
 //    first pivot takes 1/e = 1e8 times the second from it. A pivot of 0 has
 //    infinite growth, also the only one of one cell, and so has a cell of
-//    degree 2 whose inner node has the diagonal 0.
+//    degree 2 whose inner node has the diagonal 0. Two fields: the vertices
+//    have the blocks [2 1; 1 1] and B, with [3 0; 0 1] above the diagonal and
+//    [1 0; 0 5] below it. The determinant of the first is 2 - 1, its terms 3
+//    times that; it takes [3 -1; -15 10] from the second, whose rows have 2 if
+//    B = [2 0; 1 1], 25/2 times, and leaves (9 + 16)/7; 8 and 40, and
+//    165/135, if B = [8 0; 0 40]: then 3.
 
 #include <thermocontact/rod/rod_factors.h>
 
@@ -138,6 +143,33 @@ namespace
         linear(0, 1) = linear(1, 0) = linear(1, 1) = 1.;
         deallog << "first pivot " << pivot << ": growth "
                 << growth_of({2, 1}, linear) << std::endl;
+      }
+    for (const std::array<double, 4> &b :
+         {std::array<double, 4>{{2., 0., 1., 1.}}, {{8., 0., 0., 40.}}})
+      {
+        const double first[] = {2., 1., 1., 1.}, upper[] = {3., 0., 0., 1.},
+                     lower[] = {1., 0., 0., 5.};
+        const RodMatrices rod({2, 1},
+                              0.,
+                              [&](const RodMatrices::Matrix m,
+                                  const unsigned int,
+                                  const unsigned int i,
+                                  const unsigned int j) {
+                                return m > 3  ? 0. :
+                                       i < j  ? upper[m] :
+                                       i > j  ? lower[m] :
+                                       i == 1 ? b[m] :
+                                                first[m] - b[m];
+                              });
+        const auto        block = [](const unsigned int m) {
+          return RodFactors<2>::Block{
+            {1., static_cast<RodMatrices::Matrix>(m)}};
+        };
+        deallog << "two fields: growth "
+                << RodFactors<2>(
+                     rod, {{{{block(0), block(1)}}, {{block(2), block(3)}}}})
+                     .growth()
+                << std::endl;
       }
     FullMatrix<double> single(2, 2);
     single(0, 0) = single(0, 1) = single(1, 0) = 1.;

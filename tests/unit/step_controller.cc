@@ -7,7 +7,11 @@
 //   e = 1:     0.99: -33;            e = 0.9:  1.011: -32;
 //   e = 0:     4 (clipped): -24;     rejected, e = 16: 0.495 < 1/2: -37,
 //   then e = 0: not larger: -37;     rejected, e = 1.0001: 0.88: -33;
-//   rejected, not a number: 0.22: -41.
+//   rejected, not a number: 0.22: -41;
+//   e = 0.01: 2.487: -27, then e = 0.5: 0.9 1.1487 0.7079 1.1 = 0.805: -29;
+//   e = 0, then 1: 0.2 (clipped): -33.
+// Where contact begins or ends -40 or -36, where 0.2 is allowed: then rejected
+// with e = 3.2, 16 times as much, 0.495; a NaN 0.055: -57 or -53.
 // Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4, 0.5 and 0.6;
 // of 0.1 to 1, where rounding makes no eleventh, to 0.05 and to 0.
 // Smallest step 0.001: a quarter of 2^-8 is below it, so that 0.001 is tried,
@@ -30,9 +34,9 @@
 // landing on multiples of 0.25: step n ends n/4 1e-7 early and has landed on
 // multiple n; were it not, a step of n/4 1e-7 would follow. Four steps. As
 // steps that are counted: T/dt = 4 (1 + 1e-7), 4; with dt = 0.25 (1 - 1e-5): 5.
-// No step is accepted: with error 2 of size 0.02 after one that is accepted,
-// and 200, a hundred times as much, of 1e-4, rounding; 1e-14 is rounding of
-// 0.5.
+// No step is accepted: with error 2 of size 0.015 after one that is accepted,
+// and 200, a hundred times as much, of 1e-4, rounding, but not with 1.5 of
+// 0.007, less than a hundred times as long; 1e-14 is rounding of 0.5.
 
 #include <thermocontact/base/multiples.h>
 #include <thermocontact/time/step_controller.h>
@@ -85,12 +89,17 @@ namespace
   void
   test_ladder()
   {
-    for (const double error : {1., 0.9, 0.})
+    for (const std::vector<double> &errors :
+         {std::vector<double>{1.}, {0.9}, {0.}, {0.01, 0.5}, {0., 1.}})
       {
         StepController controller = make_controller(from_rung());
-        controller.accept(controller.propose(0.), error);
-        deallog << "accepted, error " << error << ": " << rung(controller)
-                << std::endl;
+        for (const double error : errors)
+          {
+            controller.accept(controller.propose(0.), error);
+            deallog << "accepted, error " << error << ": " << rung(controller)
+                    << ' ';
+          }
+        deallog << std::endl;
       }
     for (const double error :
          {16., 1.0001, std::numeric_limits<double>::quiet_NaN()})
@@ -129,12 +138,20 @@ namespace
     for (const bool begins : {true, false})
       {
         StepController controller = make_controller(from_rung());
+        controller.aim_at(1e-4); // no longer
         controller.restart(begins ? StepController::at_touch :
                                     StepController::at_change);
         deallog << (begins ? "after begin: " : "after end: ")
                 << rung(controller) << ", accurate with error 0.2 "
                 << accurate(controller, 0.2) << ", 0.3 "
-                << accurate(controller, 0.3);
+                << accurate(controller, 0.3) << ", rejected:";
+        for (const double error :
+             {3.2, std::numeric_limits<double>::quiet_NaN()})
+          {
+            StepController other(controller);
+            other.reject(other.propose(0.), error);
+            deallog << ' ' << rung(other);
+          }
         controller.accept(controller.propose(0.), 0.1);
         deallog << ", one step later " << accurate(controller, 0.3)
                 << std::endl;
@@ -147,6 +164,20 @@ namespace
     controller.retry_smaller(controller.propose(0.));
     deallog << ", then " << controller.propose(0.).size << ": exhausted "
             << controller.is_exhausted(controller.propose(0.), 0.) << std::endl;
+    // below 4 roundings of the time, or the smallest number with all digits
+    const double epsilon  = std::numeric_limits<double>::epsilon();
+    const double smallest = std::numeric_limits<double>::min();
+    for (const auto &[size, time] : {std::make_pair(2. * epsilon, 0.4),
+                                     {2. * epsilon, 0.6},
+                                     {1.5 * smallest, 0.},
+                                     {0.75 * smallest, 0.}})
+      {
+        parameters                      = from_rung();
+        parameters.time.first_step_size = size;
+        deallog << make_controller(parameters).is_exhausted({size}, time)
+                << ' ';
+      }
+    deallog << std::endl;
   }
 
 
@@ -200,13 +231,16 @@ namespace
             << !make_controller(parameters).retry_smaller({0.3, 0.3})
             << std::endl;
 
-    StepController controller = make_controller(from_rung());
-    controller.aim_at(0.001);
-    const TimeStep step = controller.propose(0.);
-    deallog << "aimed: " << step.end << ", at an event "
-            << (step.target == TimeStep::event);
-    controller.accept(step, 0.5); // would allow 1.03 * 0.001
-    deallog << ", then " << rung(controller) << std::endl;
+    for (const double error : {0.5, 1.}) // allow 1.03 and 0.9 times 0.001
+      {
+        StepController controller = make_controller(from_rung());
+        controller.aim_at(0.001);
+        const TimeStep step = controller.propose(0.);
+        deallog << "aimed: " << step.end << ", at an event "
+                << (step.target == TimeStep::event);
+        controller.accept(step, error);
+        deallog << ", then " << rung(controller) << std::endl;
+      }
   }
 
 
@@ -247,10 +281,12 @@ namespace
   test_exhaustion()
   {
     const StepAttempt before{0.4, 0.1, 0.01, true, "ok"},
-      coarse{0.5, 0.02, 2., false, rejected_by_tolerance},
+      near{0.5, 0.007, 1.5, false, rejected_by_tolerance},
+      coarse{0.5, 0.015, 2., false, rejected_by_tolerance},
       fine{0.5, 1e-4, 200., false, rejected_by_tolerance},
       finest{0.5, 1e-14, 100., false, rejected_by_tolerance};
     for (const auto &attempts : {std::vector<StepAttempt>{before, fine},
+                                 {before, near, fine},
                                  {before, coarse, fine},
                                  {before, coarse, finest}})
       deallog << describe_exhaustion(attempts, "", Parameters()) << std::endl;

@@ -64,22 +64,18 @@ namespace ThermoContact
 
     Iterate present, trial;
 
+    /** @param one_by_one a sweep: each meets its law beside those before it */
     static void
     evaluate(const dealii::FullMatrix<double> &receptance,
              const std::vector<NodeLaw>       &laws,
              const std::vector<double>        &free,
-             Iterate                          &nodes);
+             Iterate                          &nodes,
+             const bool                        one_by_one = false);
 
     static void
     measure(const dealii::FullMatrix<double> &receptance,
             const std::vector<double>        &free,
             Iterate                          &nodes);
-
-    static void
-    sweep(const dealii::FullMatrix<double> &receptance,
-          const std::vector<NodeLaw>       &laws,
-          const std::vector<double>        &free,
-          Iterate                          &nodes);
   };
 
 

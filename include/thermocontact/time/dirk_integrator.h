@@ -156,12 +156,7 @@ namespace ThermoContact
                    const ContactMode mode,
                    StepResult       &result);
 
-    /** The time of stage @p i, and the one whose loads it takes. */
-    double
-    stage_time(const State       &state,
-               const TimeStep    &time_step,
-               const unsigned int i) const;
-
+    /** The time whose loads stage @p i takes. */
     double
     load_time(const State       &state,
               const TimeStep    &time_step,

@@ -74,8 +74,9 @@ namespace ThermoContact
     update_pressure(const double tau, StageRates &rates);
 
     /**
-     * The contraction factor (D7.2) of the contact part at stage length
-     * @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the
+     * The contraction factor (D7.2) of the contact part in the present stage,
+     * of
+     * length @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the
      * response of the momentum matrix to contact pressures; 0 without an
      * obstacle.
      */

@@ -128,6 +128,9 @@ namespace ThermoContact
             result.residual = rotate(n);
           }
         add_solution(n, x);
+        // they would add to what is there while a step is written
+        basis.clear();
+        directions.clear();
         if (result.residual > tolerance)
           {
             matrix.vmult(residual, x);
@@ -135,9 +138,6 @@ namespace ThermoContact
             result.residual = residual.l2_norm();
           }
       }
-    // they would add to what is there while a step is written
-    basis.clear();
-    directions.clear();
     residual.reinit(0);
     direction.reinit(0);
     return result;
