@@ -190,16 +190,6 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTracker<dim>::drop_event()
-  {
-    impacted.reset();
-    locator.drop_event();
-  }
-
-
-
-  template <int dim>
-  void
   ContactTracker<dim>::accept(StepResult                &result,
                               std::vector<ContactEvent> &events)
   {

@@ -72,6 +72,10 @@ else:
     print(end="; ")
 
 entries = Settings(directory / "used.prm")
+if entries["Mesh/Cells"] == "16":
+    print("mesh of the forecast: time and penetration:", verdict(
+        abs(time / begin - 1) < 1e-12 and abs(penetration / peak - 1) < 0.02,
+        (time / begin - 1, penetration / peak - 1)), end="; ")
 if entries["Model/Fields"] == "displacement" and entries.get("Initial values/Velocity") == "x":
     # b = 1: the end moves with 1 - t, and eps p' + p = 1 - t from then on when it arrives
     gap, epsilon = (entries.number("Contact/" + name) for name in ("Gap", "Compliance"))

@@ -157,14 +157,14 @@ def let_no_file_grow(reference, expected):
     """As on a full disk: a row that does not fit is an error."""
     run = Run(reference, Path("limited"))
     limit = len(expected["contact.csv"]) // 2
-    status, message = run.finish(
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
-                                              (limit, limit)))
-    rows = (run.directory / "contact.csv").read_bytes()
-    print("files may not grow: status", status, "named",
-          int("limited/contact.csv: cannot be written" in message),
-          "whole rows", int(rows.endswith(b"\n") and
-                            expected["contact.csv"].startswith(rows)))
+    for interval in (0, INTERVAL):  # checkpoints would tell of the fault, too
+        status, message = run.finish(
+            "--set", f"Output/Checkpoint interval={interval}",
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        rows = (run.directory / "contact.csv").read_bytes()
+        print("files may not grow: status", status, "named",
+              int("limited/contact.csv: cannot be written" in message), "whole rows",
+              int(rows.endswith(b"\n") and expected["contact.csv"].startswith(rows)))
     status, _ = run.finish()
     print(f"resumed: status {status},", compare(expected, run.directory))
 
@@ -183,6 +183,20 @@ def damage(reference, expected):
           int("it is damaged" in log))
 
 
+def interrupt_repeats(reference):
+    """A signal ends the repeats for error bars, which begin behind a summary."""
+    run = Run(reference, Path("killed"))
+    summary = run.directory / "summary.json"
+    summary.unlink()
+    process = run.start("--set", "Output/Error bars=true")
+    while not summary.exists() and process.poll() is None:
+        time.sleep(0.002)
+    process.send_signal(signal.SIGTERM)
+    message = process.communicate()[1]
+    print("SIGTERM in a repeat: status", process.returncode, "said",
+          int("SIGTERM at t = 5, " in message))
+
+
 def main():
     reference = Path(sys.argv[1])
     expected = contents(reference)
@@ -199,6 +213,7 @@ def main():
         hang_up(reference, expected)
         let_no_file_grow(reference, expected)
         damage(reference, expected)
+        interrupt_repeats(reference)
 
 
 main()
