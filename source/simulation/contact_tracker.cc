@@ -54,8 +54,6 @@ namespace ThermoContact
   {
     get_values(initial, next);
     locator.start(next, events);
-    impacted.reset();
-    n_retakes = 0;
   }
 
 

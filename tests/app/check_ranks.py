@@ -211,6 +211,22 @@ def check_resumed(reference, prm, half, first, then):
     shutil.rmtree("whole")
 
 
+def check_pieces():
+    """A piece of a snapshot has 50000 points at most, of cells of three, each cut in two; one
+    of space-time.vtu ends with the interval that brings it to 50000 quadrilaterals."""
+    directory = Path("pieces")
+    Path("rod.prm").write_text("# a rod\n", encoding="utf-8")
+    run(1, directory, "rod.prm", *program.settings((
+        "Model/Fields=temperature", "Mesh/Cells=17000", "Mesh/Degree=2", "Time/End time=0.03",
+        "Time/Scheme=backward euler", "Time/Step size=0.01", "Output/Fields interval=0.03",
+        "Output/Space-time interval=0.01")))
+    for name in ("fields/fields-00001.vtu", "space-time.vtu"):
+        print(f"cells of the pieces of {name}:", *re.findall(
+            rb'NumberOfCells="(\d+)"', (directory / name).read_bytes()))
+    shutil.rmtree(directory)
+    os.remove("rod.prm")
+
+
 def main():
     reference = Path(sys.argv[1])
     shutil.copy(reference / "used.prm", "scene.prm")
@@ -218,6 +234,7 @@ def main():
         check_rod(reference, "scene.prm")
         check_memory_of_study()
         check_memory_of_rest()
+        check_pieces()
     else:
         if (reference / "obstacle.pvd").exists():
             check_obstacle(reference)
