@@ -394,8 +394,7 @@ namespace ThermoContact
       result.failure = text("inputs have a discontinuity at t = ",
                             QuantityUnits(parameters()).text("time", time),
                             ": ",
-                            result.failure,
-                            words_of_loads(body_, time, time));
+                            result.failure);
     return at;
   }
 
@@ -412,7 +411,8 @@ namespace ThermoContact
     const LoadBreak *const passed = pass_break();
     take_warnings();
     if (!result.failure.empty())
-      throw ComputationError(result.failure);
+      throw ComputationError(result.failure +
+                             words_of_loads(body_, state_.time, state_.time));
     state_.swap(result.state);
     return passed;
   }
