@@ -116,11 +116,10 @@ namespace ThermoContact
         return {ContactVerdict::again};
       }
     impacted.reset();
-    if (!locator.switch_at_start(finding.time,
-                                 finding.change_of_velocity,
-                                 finding.side))
-      return {ContactVerdict::again};
-    if (body.scene.contact.stops_nodes() &&
+    if (locator.switch_at_start(finding.time,
+                                finding.change_of_velocity,
+                                finding.side) &&
+        body.scene.contact.stops_nodes() &&
         locator.mode() == ContactMode::closed)
       {
         impacted.emplace();

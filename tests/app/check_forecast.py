@@ -99,13 +99,11 @@ elif expected[1].startswith("about"):
           verdict(0.5 < predicted / steps < 2, (predicted, steps)))
 else:
     snapshots = list(directory.glob("fields/fields-*.vtu"))
-    known = re.match(r"(\d+) steps; contact.csv: (\d+) rows, about (\S+ \w+)"
-                     r"(?:; fields: (\d+) snapshots, about (\S+ \w+))?$", expected[1])
-    steps_and_rows, n_snapshots = [int(known[1]), int(known[2])], int(known[4] or 0)
-    print("steps, rows, snapshots:",
-          verdict([*steps_and_rows, n_snapshots] == [steps, len(rows), len(snapshots)],
-                  (known[0], steps, len(rows), len(snapshots))), end="")
-    sizes = [(known[3], [directory / "contact.csv"]), (known[5], snapshots)]
+    counts = [int(n) for n in re.findall(r"(\d+) (?:steps|rows|snapshots)", expected[1])]
+    print("steps, rows, snapshots:", verdict(counts == [steps, len(rows)] + [
+        len(snapshots)] * bool(snapshots), counts), end="")
+    sizes = zip(re.findall(r"about (\S+ \w+)", expected[1]),
+                [[directory / "contact.csv"], snapshots])
     ratios = [bytes_of(words) / sum(file.stat().st_size for file in files)
-              for words, files in sizes if words]
+              for words, files in sizes]
     print("; bytes:", verdict(all(0.5 < ratio < 2 for ratio in ratios), ratios))

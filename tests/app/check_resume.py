@@ -7,7 +7,7 @@ usage: check_resume.py DIR
 
 DIR holds a finished run with checkpoints. Wall times and memory are left out,
 and used.prm, which names the directory. Then: the same after SIGTERM, with a
-SIGHUP that is ignored, after a file that may not grow any more, and with a damaged checkpoint.
+SIGHUP that is ignored, after a file that may not grow any more; SIGTERM in a repeat for error bars.
 """
 import json
 import os
@@ -169,20 +169,6 @@ def let_no_file_grow(reference, expected):
     print(f"resumed: status {status},", compare(expected, run.directory))
 
 
-def damage(reference, expected):
-    """A checkpoint that is not whole is passed over for the previous one."""
-    run = Run(reference, Path("killed"))
-    newest = run.directory / "checkpoint.bin"
-    data = bytearray(newest.read_bytes())
-    data[len(data) // 2] ^= 1
-    newest.write_bytes(data)
-    status, _ = run.finish()
-    log = (run.directory / "log.txt").read_text()
-    print(f"damaged checkpoint: status {status},",
-          compare(expected, run.directory), "warned",
-          int("it is damaged" in log))
-
-
 def interrupt_repeats(reference):
     """A signal ends the repeats for error bars, which begin behind a summary."""
     run = Run(reference, Path("killed"))
@@ -212,7 +198,6 @@ def main():
         terminate(reference, expected)
         hang_up(reference, expected)
         let_no_file_grow(reference, expected)
-        damage(reference, expected)
         interrupt_repeats(reference)
 
 

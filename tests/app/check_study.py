@@ -35,15 +35,8 @@ def as_planned(row):
 print("rows", len(rows), "as planned", sum(map(as_planned, rows)),
       "failed", sum(row["status"] != "done" for row in rows))
 
-# gap 0.3, that of the reference: no contact before T, so that errors of all
-# schemes have their order
-errors = {}
-for row in rows:
-    if row["Contact/Gap"] == "0.3" and row["Time/Step size"] != "automatic":
-        errors.setdefault(row["Time/Scheme"], []).append(
-            float(row["error_displacement_end"]))
-print("errors fall with the step:",
-      all(e[0] > e[1] > e[2] > 0 for e in errors.values()))
+print("varied:", *(row["Time/Step size"] for row in rows[:16:4]),
+      *(row["Contact/Gap"] for row in rows[:4]))
 
 here = [{k: v for k, v in row.items() if "seconds" not in k} for row in rows]
 if os.path.exists("before.txt"):
