@@ -289,7 +289,7 @@ namespace
     const double      law =
       kink.penetration / 0.4 * (1. + 2. * (kink.velocity_end + 0.2));
     deallog << "force behind a kink over its law "
-            << within(std::abs(kink.contact_force / law - 1.), 1e-12)
+            << within(std::abs(kink.contact_force / by_law - 1.), 1e-12)
             << std::endl;
   }
 } // namespace
