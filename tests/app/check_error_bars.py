@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Error bars against repeats that are made one by one, and against errors."""
+"""Error bars against repeats that are made one by one."""
 import csv
 import json
 import math
@@ -216,23 +216,10 @@ def check_failure():
     yield sum(summary[f"{key}_space_error"] is None for key in KEYS)
 
 
-def check_errors(number):
-    """True errors of a case of experiment 1 within three bars"""
-    overrides = CASES[number][0]
-    exact = results(number, ("Time/Tolerance=1e-9", "Mesh/Degree=10"), False)[1]
-    summary = results(number, overrides, True)[0]
-    return "; ".join(
-        f"{key} is {summary[key]} of {exact[key]}" for key in KEYS
-        if has_limit(key, overrides) and abs(summary[key] - exact[key]) > 3 * (summary[f"{key}_time_error"] +
-                                                 summary[f"{key}_space_error"]))
-
-
 def main():
     faults = list(filter(None, for_all(check_case, enumerate(CASES))))
     print("error bars:", "; ".join(faults) or "those of the repeats")
     print(*check_failure(), sep="; ")
-    faults = list(filter(None, map(check_errors, (0, 2))))
-    print("errors:", "; ".join(faults) or "within three bars")
 
 
 main()

@@ -186,18 +186,15 @@ def expected_steps(run):
     if s["Time/Step size"] != "automatic":
         return more + math.ceil(T / s.number("Time/Step size") * (1 - 1e-9)) + sum(
             0 < float(time) < T for time in s.get("Time/Break points", "").split(";") if time)
-    scheme, tolerance = s["Time/Scheme"], s.number("Time/Tolerance")
-    order = {"sdirk3": 3, "sdirk4": 4, "energy conserving": 2}[scheme]
-    n, least = (3 * heat + 1.7 * moves) * min(1, T**0.5), 0
+    order = {"sdirk3": 3, "sdirk4": 4}[s["Time/Scheme"]]
+    tolerance, n, least = s.number("Time/Tolerance"), (3 * heat + 1.7 * moves) * min(1, T**0.5), 0
     if moves and b:
         is_heated = heat and s.get("Model/Thermoelastic heating") == "true"
         damping = zeta / b + is_heated * a * a / (2 * b + 0.8)
         n_runs = min(T, 1 / damping if damping else math.inf) / b**0.5
-        condition = s.get("Contact/Condition", "none")
-        softness = 0 if condition == "rigid" else s.number("Contact/Compliance") / s.number(
-            "Contact/Exponent", 1)
-        n += (0.55 + (condition != "none") * 0.5 / (1 + 5 * softness)) * n_runs * (
-            1 + (0.05 * b**0.5 / (zeta + 3e-4 * b**0.5))**0.4)
+        softness = s.number("Contact/Compliance") / s.number("Contact/Exponent", 1)
+        contact = (s["Contact/Condition"] != "none") * 0.5 / (1 + 5 * softness)
+        n += (0.55 + contact) * n_runs * (1 + (0.05 * b**0.5 / (zeta + 3e-4 * b**0.5))**0.4)
     elif moves and heat and not zeta:
         least = 4 * (min(1, T) / tolerance)**(1 / 3)
     return more + math.ceil(max(n / tolerance**(1 / order), least, T / s.number(
@@ -220,18 +217,16 @@ def faults_of_cost(run):
     rows = count(contact) if contact else steps + 1
     expected = [steps, rows, rows * (290 if heat and moves else 250 if moves else 195)]
     if fields:
-        cells, degree, across = (s.number(f"Mesh/{name}", 1) * factor for name, factor in (
-            ("Cells", 2**s.number("Mesh/Refinements")), ("Degree", 1),
-            ("Cells across", 2**s.number("Mesh/Refinements"))))
+        n, degree = count(fields), s.number("Mesh/Degree")
+        cells, across = (s.number(f"Mesh/{name}", 1) * 2**s.number("Mesh/Refinements")
+                         for name in ("Cells", "Cells across"))
         points = cells * across**(dim - 1) * (degree + 1)**dim
-        n = count(fields)
         expected += [n, n * (900 + 500 * (heat + moves) + points * (
             (20 if moves else 10) if dim == 1 else 32 if moves else 16))]
         if dim > 1 and s.get("Contact/Condition", "none") != "none":
             expected += [n * (1900 + 8 * 2**(dim - 1) * (across * degree + 1)**(dim - 1))]
-    units = dict(zip(("B", "kB", "MB", "GB"), (1, 1e3, 1e6, 1e9)))
-    found = [float(number) * units.get(unit, 1) for number, unit in re.findall(
-        r"([\d.]+(?:e\+?\d+)?) (B\b|[kMG]B|steps|rows|snapshots)", words)]
+    found = [float(number) * {"k": 1e3, "M": 1e6, "G": 1e9}.get(unit[0], 1) for number, unit in
+             re.findall(r"([\d.]+(?:e\+?\d+)?) (B\b|[kMG]B|steps|rows|snapshots)", words)]
     if len(found) != len(expected) or any(abs(a - b) > TWO * b for a, b in zip(found, expected)):
         yield f"expected: {words}, not {expected}"
 

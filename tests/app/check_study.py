@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Counts of a study by hand, and the same rows as in the run before."""
-
+"""Counts of a study by hand."""
 import csv
 import os
 import sys
@@ -37,12 +36,3 @@ print("rows", len(rows), "as planned", sum(map(as_planned, rows)),
 
 print("varied:", *(row["Time/Step size"] for row in rows[:16:4]),
       *(row["Contact/Gap"] for row in rows[:4]))
-
-here = [{k: v for k, v in row.items() if "seconds" not in k} for row in rows]
-if os.path.exists("before.txt"):
-    with open("before.txt") as file:
-        print("the same as before:", file.read() == repr(here))
-    os.remove("before.txt")
-else:
-    with open("before.txt", "w") as file:
-        file.write(repr(here))
