@@ -186,7 +186,7 @@ def expected_steps(run):
     if s["Time/Step size"] != "automatic":
         return more + math.ceil(T / s.number("Time/Step size") * (1 - 1e-9)) + sum(
             0 < float(time) < T for time in s.get("Time/Break points", "").split(";") if time)
-    order = {"sdirk3": 3, "sdirk4": 4}[s["Time/Scheme"]]
+    order = {"sdirk3": 3, "sdirk4": 4, "energy conserving": 2}[s["Time/Scheme"]]
     tolerance, n, least = s.number("Time/Tolerance"), (3 * heat + 1.7 * moves) * min(1, T**0.5), 0
     if moves and b:
         is_heated = heat and s.get("Model/Thermoelastic heating") == "true"
