@@ -286,7 +286,7 @@ namespace
                          "Initial values/Displacement=-x/10",
                          "Time/End time=0.01"});
     const StepRecord &kink = row_at(result, 0.005);
-    const double      law =
+    const double      by_law =
       kink.penetration / 0.4 * (1. + 2. * (kink.velocity_end + 0.2));
     deallog << "force behind a kink over its law "
             << within(std::abs(kink.contact_force / by_law - 1.), 1e-12)
