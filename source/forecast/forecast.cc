@@ -156,8 +156,6 @@ namespace ThermoContact
       return rod_response(scene.material, std::exp(log_tau)) - *compliance;
     };
     const double smallest = std::log(1e-100), largest = std::log(1e100);
-    if (excess(smallest) >= 0. || excess(largest) <= 0.)
-      return {}; // beyond all numbers that a step can have
     return std::exp(bracketed_root(excess, smallest, largest).first);
   }
 

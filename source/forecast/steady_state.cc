@@ -124,10 +124,9 @@ namespace ThermoContact
   nearest_state(const std::vector<SteadyState> &states,
                 const SteadyState              &state)
   {
+    // without temperatures there is one alone
     const auto distance = [&state](const SteadyState &other) {
-      return std::isnan(state.temperature_end) ?
-               std::abs(other.displacement_end - state.displacement_end) :
-               std::abs(other.temperature_end - state.temperature_end);
+      return std::abs(other.temperature_end - state.temperature_end);
     };
     return std::min_element(states.begin(),
                             states.end(),

@@ -89,7 +89,6 @@ namespace ThermoContact
       }
     if (is_writer)
       open_tables(simulation);
-    flush();
     if (progress)
       restore(*progress, simulation);
   }

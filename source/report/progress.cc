@@ -28,10 +28,8 @@ namespace ThermoContact
     , log(log)
     , units(scene.parameters)
     , start(Clock::now())
-    , start_time(history.record.time)
+    , first(history.record)
     , last_update(start)
-    , last_step(history.record.step)
-    , steps_per_second(0.)
   {}
 
 
@@ -52,7 +50,7 @@ namespace ThermoContact
   {
     return seconds_between(start, Clock::now()) *
            (scene.parameters.time.end_time - record.time) /
-           (record.time - start_time);
+           (record.time - first.time);
   }
 
 
@@ -93,16 +91,13 @@ namespace ThermoContact
   void
   Progress::update_live_line(const StepRecord &record)
   {
-    const auto   now     = Clock::now();
-    const double seconds = seconds_between(last_update, now);
-    if (seconds < 0.1)
+    const auto now = Clock::now();
+    if (seconds_between(last_update, now) < 0.1)
       return;
-    const double end_time = scene.parameters.time.end_time;
-    const double rate     = (record.step - last_step) / seconds;
-    steps_per_second =
-      steps_per_second == 0. ? rate : 0.7 * steps_per_second + 0.3 * rate;
     last_update = now;
-    last_step   = record.step;
+    const double steps_per_second =
+      (record.step - first.step) / seconds_between(start, now);
+    const double end_time = scene.parameters.time.end_time;
 
     const auto field =
       [this](const char *name, const char *kind, const double value) {

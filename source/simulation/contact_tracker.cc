@@ -54,8 +54,6 @@ namespace ThermoContact
   {
     get_values(initial, next);
     locator.start(next, events);
-    impacted.reset();
-    n_retakes = 0;
   }
 
 
@@ -118,11 +116,10 @@ namespace ThermoContact
         return {ContactVerdict::again};
       }
     impacted.reset();
-    if (!locator.switch_at_start(finding.time,
-                                 finding.change_of_velocity,
-                                 finding.side))
-      return {ContactVerdict::again};
-    if (body.scene.contact.stops_nodes() &&
+    if (locator.switch_at_start(finding.time,
+                                finding.change_of_velocity,
+                                finding.side) &&
+        body.scene.contact.stops_nodes() &&
         locator.mode() == ContactMode::closed)
       {
         impacted.emplace();
@@ -184,16 +181,6 @@ namespace ThermoContact
         default:
           return {};
       }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactTracker<dim>::drop_event()
-  {
-    impacted.reset();
-    locator.drop_event();
   }
 
 

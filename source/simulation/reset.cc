@@ -42,7 +42,7 @@ namespace ThermoContact
       std::vector<NodeLaw> laws;
       get_velocity_laws(body,
                         state,
-                        std::vector<bool>(state.contact_pressure.size(), true),
+                        std::vector<bool>(body.contact_end().n_nodes(), true),
                         laws);
       for (NodeLaw &law : laws)
         law.is_held = true;
@@ -653,7 +653,7 @@ namespace ThermoContact
     put_on_obstacle(body, state);
     if (!body.scene.material.has_inertia())
       set_velocity_of_viscous_body(
-        std::vector<bool>(state.contact_pressure.size(), true), state);
+        std::vector<bool>(body.contact_end().n_nodes(), true), state);
     set_exchange_of_law(body, state);
     book(work, result);
   }

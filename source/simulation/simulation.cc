@@ -204,24 +204,19 @@ namespace ThermoContact
   std::string
   Simulation<dim>::judge(const TimeStep &time_step, double &error)
   {
-    // what is left to do with a step that was computed: nothing if it is
-    // solved and accurate
-    const auto fault = [&]() -> std::string {
-      if (!result.failure.empty())
-        {
-          if (!controller.retry_smaller(time_step))
-            give_up(time_step, result.failure);
-          return "failed";
-        }
-      error = relative_error();
-      if (controller.is_accurate(time_step, error))
-        return "";
-      controller.reject(time_step, error);
-      return rejected_by_tolerance;
-    };
     compute_step(time_step);
-    if (const std::string reason = fault(); !reason.empty())
-      return reason;
+    if (!result.failure.empty())
+      {
+        if (!controller.retry_smaller(time_step))
+          give_up(time_step, result.failure);
+        return "failed";
+      }
+    error = relative_error();
+    if (!controller.is_accurate(time_step, error))
+      {
+        controller.reject(time_step, error);
+        return rejected_by_tolerance;
+      }
     ContactVerdict verdict;
     together([&]() {
       verdict = tracker.judge(time_step,
@@ -232,20 +227,10 @@ namespace ThermoContact
                               error_norm.mechanical_energy(result.energy));
     });
     if (!result.failure.empty())
-      {
-        tracker.drop_event();
-        return fault();
-      }
-    switch (verdict.kind)
-      {
-        case ContactVerdict::to_time:
-          controller.aim_at(verdict.time);
-          return "contact";
-        case ContactVerdict::again:
-          return "contact";
-        default:
-          return "";
-      }
+      give_up(time_step, result.failure); // shorter steps begin like this one
+    if (verdict.kind == ContactVerdict::to_time)
+      controller.aim_at(verdict.time);
+    return verdict.kind == ContactVerdict::accept ? "" : "contact";
   }
 
 
@@ -409,8 +394,7 @@ namespace ThermoContact
       result.failure = text("inputs have a discontinuity at t = ",
                             QuantityUnits(parameters()).text("time", time),
                             ": ",
-                            result.failure,
-                            words_of_loads(body_, time, time));
+                            result.failure);
     return at;
   }
 
@@ -427,7 +411,8 @@ namespace ThermoContact
     const LoadBreak *const passed = pass_break();
     take_warnings();
     if (!result.failure.empty())
-      throw ComputationError(result.failure);
+      throw ComputationError(result.failure +
+                             words_of_loads(body_, state_.time, state_.time));
     state_.swap(result.state);
     return passed;
   }

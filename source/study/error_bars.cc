@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <optional>
 
 namespace ThermoContact
@@ -149,17 +148,11 @@ namespace ThermoContact
              const std::function<void()> &look_up,
              Log                         &log)
   {
-    const Scene     &scene  = simulation.scene();
-    const KeyResults values = key_results(scene, simulation.history());
-    const KeyResults smooth = smooth_key_results(scene, simulation.history());
-    const MPI_Comm   communicator = simulation.discretization().communicator();
-    KeyErrors        errors;
-    const auto       add_failure = [&](const CoarserScene &coarser,
-                                 const std::string  &reason) {
-      errors.remarks.push_back(
-        "error bars: the repeat with " + coarser.words +
-        " fails: " + reason.substr(0, reason.find('\n')));
-    };
+    const Scene      &scene  = simulation.scene();
+    const KeyResults  values = key_results(scene, simulation.history());
+    const KeyResults  smooth = smooth_key_results(scene, simulation.history());
+    const MPI_Comm    communicator = simulation.discretization().communicator();
+    KeyErrors         errors;
     const Differences differences =
       [&](const CoarserScene &coarser) -> std::optional<KeyResults> {
       ++errors.n_repeats;
@@ -184,16 +177,12 @@ namespace ThermoContact
         }
       catch (const std::runtime_error &error)
         {
-          add_failure(coarser, error.what());
+          const std::string reason = error.what();
+          errors.remarks.push_back(
+            "error bars: the repeat with " + coarser.words +
+            " fails: " + reason.substr(0, reason.find('\n')));
+          return {};
         }
-      catch (const std::bad_alloc &)
-        {
-          // perhaps of this rank alone: the others wait for it
-          if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-            throw;
-          add_failure(coarser, "there is not enough memory");
-        }
-      return {};
     };
 
     KeyResults missed;

@@ -32,15 +32,16 @@ def damage(path):
     path.write_bytes(data)
 
 
-def resume(reference, what, change, *overrides):
+def resume(reference, what, change, *overrides, times=1):
     """Goes on with a copy of the run whose newest and previous checkpoint were
     given to change()."""
     directory = Path("changed")
     shutil.copytree(reference, directory)
-    change(directory / "checkpoint.bin", directory / "checkpoint.previous.bin")
-    status, screen, message = run(
-        "--resume", "--output", directory,
-        *settings(["Time/End time=0.02", *overrides]), reference / "used.prm")
+    for _ in range(times):
+        change(directory / "checkpoint.bin", directory / "checkpoint.previous.bin")
+        status, screen, message = run(
+            "--resume", "--output", directory,
+            *settings(["Time/End time=0.02", *overrides]), reference / "used.prm")
     _, _, log = (directory / "log.txt").read_text().rpartition("  resumed ")
     shutil.rmtree(directory)
     warnings = re.findall(r"^  warning:  (.*)", screen, re.MULTILINE)
@@ -60,7 +61,10 @@ def main():
     resume(reference, "untouched", lambda newest, previous: None)
     resume(reference, "another version", lambda newest, previous: replace(
         newest, json.dumps(version), '"0.0.5-older"'))
-    resume(reference, "damaged", lambda newest, previous: damage(newest))
+    resume(reference, "other columns", lambda newest, previous: replace(
+        newest, '"stress_end"', '"stress"'))
+    # the previous one is whole the next time, too
+    resume(reference, "damaged", lambda newest, previous: damage(newest), times=2)
     resume(reference, "all damaged", lambda newest, previous: (
         damage(newest), damage(previous)))
     resume(reference, "another format", lambda newest, previous:

@@ -7,10 +7,11 @@ Numbers have six digits, differences from the state of rest two, the wall time o
 three. Up to five contacts that have ended are listed by their durations. The defect of the energy is what the columns leave, but for rounding. The lines of
 tenths are rows of contact.csv, as far as these are written.
 """
+import math
 import re
 import sys
 
-from run_files import Run
+from run_files import Run, differences
 
 NUMBER = r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\d%]*\()"  # not that of u(1)
 SIX, THREE, TWO = 6e-6, 6e-3, 6e-2
@@ -92,6 +93,13 @@ def faults_of_start(run):
             yield "not the start that it says"
 
 
+def faults_of_work(run):
+    """That of a constant traction alone, on the way of the end."""
+    force, u = run.settings.get("Sources/End traction", "0"), run.contact["displacement_end"]
+    if re.fullmatch(r"-0\.\d", force):
+        yield differences(run.contact["work"], float(force) * (u - u[0]), 1e-11)
+
+
 def faults_of_tenths(run):
     times, compared = run.contact["time"], 0
     end_time = run.settings.number("Time/End time")
@@ -164,11 +172,70 @@ def faults_of_forecast(run):
             yield f"limit: {words}"
 
 
+def expected_steps(run):
+    """doc/accuracy.md, without what loads ask for; T/dt of fixed steps. The rate of time with
+    which heat conduction damps is that of heating by the motion."""
+    s = run.settings
+    T, b, zeta, a = (s.number(name) for name in (
+        "Time/End time", "Model/Inertia", "Model/Viscosity", "Model/Coupling"))
+    heat, moves = s.has("temperature"), s.has("displacement")
+    intervals = [s.number("Output/Period")] + [
+        s.number(f"Output/{name} interval") for name in ("Fields", "Contact", "Space-time")
+        if s.get("Output/Land on output times") == "true"]
+    more = sum(T / interval for interval in intervals if interval)
+    if s["Time/Step size"] != "automatic":
+        return more + math.ceil(T / s.number("Time/Step size") * (1 - 1e-6)) + sum(
+            0 < float(time) < T for time in s.get("Time/Break points", "").split(";") if time)
+    order = {"sdirk3": 3, "sdirk4": 4, "energy conserving": 2}[s["Time/Scheme"]]
+    tolerance, n, least = s.number("Time/Tolerance"), (3 * heat + 1.7 * moves) * min(1, T**0.5), 0
+    if moves and b:
+        is_heated = heat and s.get("Model/Thermoelastic heating") == "true"
+        damping = zeta / b + is_heated * a * a / (2 * b + 0.8)
+        n_runs = min(T, 1 / damping if damping else math.inf) / b**0.5
+        softness = s.number("Contact/Compliance") / s.number("Contact/Exponent", 1)
+        contact = (s["Contact/Condition"] != "none") * 0.5 / (1 + 5 * softness)
+        n += (0.55 + contact) * n_runs * (1 + (0.05 * b**0.5 / (zeta + 3e-4 * b**0.5))**0.4)
+    elif moves and heat and not zeta:
+        least = 4 * (min(1, T) / tolerance)**(1 / 3)
+    return more + math.ceil(max(n / tolerance**(1 / order), least, T / s.number(
+        "Time/Maximum step size")))
+
+
+def faults_of_cost(run):
+    """Steps; rows and snapshots at multiples of their intervals and at T; bytes of theirs as
+    measured: 290 a row of a rod that is heated and moves, 32 a point of a body's snapshot."""
+    s, m = run.settings, run.summary
+    steps, dim, T = m["predicted_steps"], int(s["Dimension"]), s.number("Time/End time")
+    words = last_line(run.log, "expected")
+    if not words.startswith("perhaps") and abs(steps - expected_steps(run)) > 1e-6:
+        yield f"predicted_steps: {steps} instead of {expected_steps(run)}"
+
+    def count(interval):
+        return min(steps + 1, math.ceil(T / interval * (1 - 1e-9)) + 1)
+    heat, moves = s.has("temperature"), s.has("displacement")
+    contact, fields = (s.number(f"Output/{name} interval") for name in ("Contact", "Fields"))
+    rows = count(contact) if contact else steps + 1
+    expected = [steps, rows, rows * (290 if heat and moves else 250 if moves else 195)]
+    if fields:
+        n, degree = count(fields), s.number("Mesh/Degree")
+        cells, across = (s.number(f"Mesh/{name}", 1) * 2**s.number("Mesh/Refinements")
+                         for name in ("Cells", "Cells across"))
+        points = cells * across**(dim - 1) * (degree + 1)**dim
+        expected += [n, n * (900 + 500 * (heat + moves) + points * (
+            (20 if moves else 10) if dim == 1 else 32 if moves else 16))]
+        if dim > 1 and s.get("Contact/Condition", "none") != "none":
+            expected += [n * (1900 + 8 * 2**(dim - 1) * (across * degree + 1)**(dim - 1))]
+    found = [float(number) * {"k": 1e3, "M": 1e6, "G": 1e9}.get(unit[0], 1) for number, unit in
+             re.findall(r"([\d.]+(?:e\+?\d+)?) (B\b|[kMG]B|steps|rows|snapshots)", words)]
+    if len(found) != len(expected) or any(abs(a - b) > TWO * b for a, b in zip(found, expected)):
+        yield f"expected: {words}, not {expected}"
+
+
 def faults_of_log(run):
-    looks = [faults_of_scales, faults_of_forecast, faults_of_start]
+    looks = [faults_of_scales, faults_of_forecast, faults_of_cost, faults_of_start]
     if run.summary["status"] == "done":
-        looks += [faults_of_result, faults_of_energy, faults_of_tenths]
-    return [fault for look in looks for fault in look(run)]
+        looks += [faults_of_result, faults_of_energy, faults_of_tenths, faults_of_work]
+    return [fault for look in looks for fault in look(run) if fault]
 
 
 def tell(run, **options):

@@ -122,6 +122,17 @@ def check_memory_of_study():
         print(f"memory of a study on {ranks}:", len(told) == ranks and
               "run 1: Mesh/Cells = 200" in line and
               all(abs(a / b - 1) < 0.06 for a, b in zip(told, true)) or line)
+    # blocks, with all that grows with the degree; with factors (doc/performance.md)
+    for solver, cells, across, p in (("iterative", 4, 2, 16), ("direct", 12, 4, 2)):
+        n = 4 * (p * cells + 1) * (p * across + 1)**2
+        of_degree = 384 * (p + 1)**3 * ((p + 3)**2 + (p + 1)**2) + 100 * across**2 * p * (p + 1)**4
+        true = 0.17 + 1e-9 * (600 * n + of_degree if solver == "iterative" else
+                              4000 * n + 92 * n**1.54)
+        _, screen = run(1, Path("not-made"), "--check", "study.prm", *program.settings((
+            "Dimension=3", f"Mesh/Cells={cells}", f"Mesh/Cells across={across}", f"Mesh/Degree={p}",
+            f"Solver/Linear solver={solver}", "Contact/Massless nodes=on", "Time/Step size=0.1")))
+        told = float(re.search(r"memory +about ([\d.]+) GB", screen)[1])
+        print(f"memory of a block, {solver}:", abs(told / true - 1) < 0.03 or (told, true))
     seconds = []  # of a block by the iterative solver: a hundred times as many steps
     for end in (1, 100):
         _, screen = run(1, Path("not-made"), "--check", "study.prm", *program.settings((
@@ -200,6 +211,22 @@ def check_resumed(reference, prm, half, first, then):
     shutil.rmtree("whole")
 
 
+def check_pieces():
+    """A piece of a snapshot has 50000 points at most, of cells of three, each cut in two; one
+    of space-time.vtu ends with the interval that brings it to 50000 quadrilaterals."""
+    directory = Path("pieces")
+    Path("rod.prm").write_text("# a rod\n", encoding="utf-8")
+    run(1, directory, "rod.prm", *program.settings((
+        "Model/Fields=temperature", "Mesh/Cells=17000", "Mesh/Degree=2", "Time/End time=0.03",
+        "Time/Scheme=backward euler", "Time/Step size=0.01", "Output/Fields interval=0.03",
+        "Output/Space-time interval=0.01")))
+    for name in ("fields/fields-00001.vtu", "space-time.vtu"):
+        print(f"cells of the pieces of {name}:", *re.findall(
+            rb'NumberOfCells="(\d+)"', (directory / name).read_bytes()))
+    shutil.rmtree(directory)
+    os.remove("rod.prm")
+
+
 def main():
     reference = Path(sys.argv[1])
     shutil.copy(reference / "used.prm", "scene.prm")
@@ -207,6 +234,7 @@ def main():
         check_rod(reference, "scene.prm")
         check_memory_of_study()
         check_memory_of_rest()
+        check_pieces()
     else:
         if (reference / "obstacle.pvd").exists():
             check_obstacle(reference)

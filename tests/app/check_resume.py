@@ -7,7 +7,7 @@ usage: check_resume.py DIR
 
 DIR holds a finished run with checkpoints. Wall times and memory are left out,
 and used.prm, which names the directory. Then: the same after SIGTERM, with a
-SIGHUP that is ignored, after a file that may not grow any more, and with a damaged checkpoint.
+SIGHUP that is ignored, after a file that may not grow any more; SIGTERM in a repeat for error bars.
 """
 import json
 import os
@@ -157,30 +157,30 @@ def let_no_file_grow(reference, expected):
     """As on a full disk: a row that does not fit is an error."""
     run = Run(reference, Path("limited"))
     limit = len(expected["contact.csv"]) // 2
-    status, message = run.finish(
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
-                                              (limit, limit)))
-    rows = (run.directory / "contact.csv").read_bytes()
-    print("files may not grow: status", status, "named",
-          int("limited/contact.csv: cannot be written" in message),
-          "whole rows", int(rows.endswith(b"\n") and
-                            expected["contact.csv"].startswith(rows)))
+    for interval in (0, INTERVAL):  # checkpoints would tell of the fault, too
+        status, message = run.finish(
+            "--set", f"Output/Checkpoint interval={interval}",
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        rows = (run.directory / "contact.csv").read_bytes()
+        print("files may not grow: status", status, "named",
+              int("limited/contact.csv: cannot be written" in message), "whole rows",
+              int(rows.endswith(b"\n") and expected["contact.csv"].startswith(rows)))
     status, _ = run.finish()
     print(f"resumed: status {status},", compare(expected, run.directory))
 
 
-def damage(reference, expected):
-    """A checkpoint that is not whole is passed over for the previous one."""
+def interrupt_repeats(reference):
+    """A signal ends the repeats for error bars, which begin behind a summary."""
     run = Run(reference, Path("killed"))
-    newest = run.directory / "checkpoint.bin"
-    data = bytearray(newest.read_bytes())
-    data[len(data) // 2] ^= 1
-    newest.write_bytes(data)
-    status, _ = run.finish()
-    log = (run.directory / "log.txt").read_text()
-    print(f"damaged checkpoint: status {status},",
-          compare(expected, run.directory), "warned",
-          int("it is damaged" in log))
+    summary = run.directory / "summary.json"
+    summary.unlink()
+    process = run.start("--set", "Output/Error bars=true")
+    while not summary.exists() and process.poll() is None:
+        time.sleep(0.002)
+    process.send_signal(signal.SIGTERM)
+    message = process.communicate()[1]
+    print("SIGTERM in a repeat: status", process.returncode, "said",
+          int("SIGTERM at t = 5, " in message))
 
 
 def main():
@@ -198,7 +198,7 @@ def main():
         terminate(reference, expected)
         hang_up(reference, expected)
         let_no_file_grow(reference, expected)
-        damage(reference, expected)
+        interrupt_repeats(reference)
 
 
 main()

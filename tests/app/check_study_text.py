@@ -98,6 +98,11 @@ def log_lines(study, settings):
     """What log.txt says of the study; times and errors with six digits."""
     is_done = [status == "done" for status in study["status"]]
     yield f"study {len(study)} runs, {is_done.count(False)} failed"
+    runs = [", ".join(map(" = ".join, zip(names, chosen)))
+            for names, _, all_chosen in plan_of(settings["Study/Vary"]) for chosen in all_chosen]
+    for i, status in enumerate(study["status"]):
+        if not is_done[i]:
+            yield f"run {i}: {runs[i]}: {' '.join(status.split())}"
     target = number(settings.get("Study/Target error", "0"))
     if not target > 0:
         return
@@ -150,9 +155,9 @@ def main():
         wrong.append(f"{len(found)} lines instead of {len(expected)}")
     print("study.txt:", "; ".join(wrong) or "as study.csv")
 
-    said = [" ".join(line.split()) for line in run.log.splitlines()]
+    said = " ".join(["", *run.log.split(), ""])
     print("log.txt, study.md:", "; ".join([
-        f"no line {line!r}" for line in log_lines(study, run.settings) if line not in said] +
+        f"no {words!r}" for words in log_lines(study, run.settings) if f" {words} " not in said] +
         list(wrong_cells(run))) or "as study.csv")
 
 

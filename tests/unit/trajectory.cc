@@ -4,10 +4,7 @@
 //
 // 1. Between steps the reference is a polynomial of degree five: t^5 at the
 //    steps 0, 0.1, ..., 1 and the same in the middle between them differ by
-//    rounding alone, t^6 does not. The largest difference counts, not its sign:
-//    the trajectory 1 - 2t against 0 at t = 0.5 and 1 (not at 0) has the
-//    largest difference 1, the last one 1; 1 - 3t + 2t^2 has 0 and 0; a
-//    trajectory that is -0.5 at 0.5 and 0.25 at 1 has 0.5 and 0.25.
+//    rounding alone, t^6 does not.
 // 2. No polynomial goes over a change of contact: with t before it, at 0.5, and
 //    0.5 - 3(t - 0.5) after it, both sides are exact, which they are not if the
 //    event is not known. Common times are exact in any case.
@@ -118,27 +115,6 @@ namespace
 
 
   void
-  test_maximum()
-  {
-    const Trajectory zero = trajectory([](double) { return 0.; }, steps(2));
-    const std::vector<Function> functions = {
-      [](const double t) { return 1. - 2. * t; },
-      [](const double t) { return 1. - 3. * t + 2. * t * t; },
-      [](const double t) { return t < 0.75 ? -t : 0.25; }};
-    for (const Function &f : functions)
-      {
-        const auto difference = trajectory(f, steps(2)).compare(zero);
-        deallog << "largest and last";
-        for (unsigned int q = 0; q < Trajectory::n_quantities; ++q)
-          deallog << ' ' << Trajectory::names[q] << ' ' << difference.maximum[q]
-                  << ' ' << difference.final_value[q];
-        deallog << std::endl;
-      }
-  }
-
-
-
-  void
   test_first_contact()
   {
     const Function   f         = [](const double t) { return t; };
@@ -185,7 +161,6 @@ main_trajectory()
 {
   initlog();
   test_interpolation();
-  test_maximum();
   test_first_contact();
   test_peaks();
 }

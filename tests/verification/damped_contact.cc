@@ -21,6 +21,8 @@
 // start    in contact, b = 0, one cell, u = -x/10, g = -0.3, eps = 0.4, m = 1,
 //          c = 2: zeta v + u + (s/eps)(1 + c v) = 0, s = 0.2, zeta = 1/2 gives
 //          v = (0.1 - 0.5)/(0.5 + 1) = -4/15, the force 1/2 (1 - 8/15) = 7/30.
+//          With mass the force jumps where the obstacle gets the velocity -1/5:
+//          (s/eps) (1 + c (v + 1/5)) in that row.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -275,6 +277,19 @@ namespace
             << within(std::abs(first.velocity_end * -15. / 4. - 1.), 1e-12)
             << ", force over 7/30 "
             << within(std::abs(first.contact_force * 30. / 7. - 1.), 1e-12)
+            << std::endl;
+    const RecordedRun result =
+      run<1>("",
+             one_cell + law(1., 2.) +
+               Overrides{"Contact/Gap=-0.3-0.2*max(t-0.005,0)",
+                         "Contact/Compliance=0.4",
+                         "Initial values/Displacement=-x/10",
+                         "Time/End time=0.01"});
+    const StepRecord &kink = row_at(result, 0.005);
+    const double      by_law =
+      kink.penetration / 0.4 * (1. + 2. * (kink.velocity_end + 0.2));
+    deallog << "force behind a kink over its law "
+            << within(std::abs(kink.contact_force / by_law - 1.), 1e-12)
             << std::endl;
   }
 } // namespace

@@ -46,8 +46,8 @@ namespace
 
 
 
-  /** Krylov iterations of each step of a cube without contact. */
-  /** How many, and whether they are more than 14. */
+  /** Krylov iterations of a step of a cube without contact, and whether they are
+      more than 14. */
   template <int dim>
   std::string
   iterations(const unsigned int degree,
@@ -69,9 +69,9 @@ namespace
                          "Time/Step size=" + significant(tau, few_digits),
                          "Time/End time=" + significant(2. * tau, few_digits),
                          "Solver/Linear tolerance=1e-8"};
-    const unsigned int n =
+    const unsigned int count =
       run_iterative<dim>(cube + overrides).counters.max_linear_iterations;
-    return std::to_string(n) + (n <= 14 ? "" : " exceeds 14");
+    return std::to_string(count) + (count <= 14 ? "" : " exceeds 14");
   }
 
 

@@ -22,12 +22,8 @@
 // 5. 1000 steps with the displacement of 2., 100 times that in the ten steps
 //    601 to 610 of a contact: of these step 608 is looked at, for 8 steps, so
 //    that the mean of the squares is 0.992 + 0.008 * 1e4.
-// 6. Runs, against a monitor that takes each step as eight of an eighth and so
-//    looks at all: impacts of an elastic rod, and the paper's rod on a coarse
-//    mesh; 3 %.
 
 #include <thermocontact/scene/scene.h>
-#include <thermocontact/simulation/simulation.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
 
 #include <deal.II/base/mpi.h>
@@ -130,37 +126,6 @@ namespace
                  std::sqrt(80.992 / (7. / 16.))
             << std::endl;
   }
-
-
-
-  /** Case 6. */
-  void
-  check_run(const std::string &file, const std::vector<std::string> &overrides)
-  {
-    const Parameters    parameters = read_parameters(file, overrides);
-    Simulation<1>       simulation(parameters, MPI_COMM_SELF);
-    SpatialErrorMonitor sampled(simulation.scene(),
-                                simulation.discretization());
-    SpatialErrorMonitor all(simulation.scene(), simulation.discretization());
-    simulation.run({[&](const Simulation<1> &s) {
-      if (s.record().step == 0)
-        return;
-      sampled.add(s.state(), s.record());
-      StepRecord part = s.record();
-      part.step_size /= 8.;
-      for (unsigned int i = 0; i < 8; ++i)
-        all.add(s.state(), part);
-    }});
-    for (const auto &[field, name] :
-         {std::make_pair(Field::temperature, "temperature"),
-          std::make_pair(Field::displacement, "strain")})
-      if (simulation.discretization().has_field(field))
-        deallog << file << ", " << name << ": to 3 % "
-                << within(std::abs(sampled.error(field) / all.error(field) -
-                                   1.),
-                          0.03)
-                << std::endl;
-  }
 } // namespace
 
 
@@ -209,6 +174,4 @@ main_spatial_error_monitor()
   deallog << "midpoint rule: error "
           << midpoint.monitor.error(Field::displacement) << std::endl;
   check_contact_among_many_steps();
-  check_run("verification/elastic-impact-rigid.prm", {});
-  check_run("paper/experiment-1.prm", {"Mesh/Cells=50"});
 }

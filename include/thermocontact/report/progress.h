@@ -16,8 +16,8 @@ namespace ThermoContact
    * collective calls.
    *
    * On a terminal it is a live line, at most ten times a second: percent, time,
-   * step size, gap or contact force, steps per second, and the remaining wall
-   * time if the rest of the time goes as fast as the time so far. Whenever
+   * step size, gap or contact force, steps per second so far, and the remaining
+   * wall time if the rest of the time goes as fast. Whenever
    * another tenth of the run is done, a line goes to log.txt and, where there
    * is no live line, to the screen, with the remaining time if that is more
    * than a minute.
@@ -42,10 +42,8 @@ namespace ThermoContact
     Log                    &log;
     const OutputUnits       units;
     const Clock::time_point start;
-    const double            start_time; ///< of the scene, not of the clock
+    const StepRecord        first; ///< from which the run goes on
     Clock::time_point       last_update;
-    unsigned int            last_step;
-    double                  steps_per_second;
 
     /** Wall time if the rest of the time goes as fast as that so far. */
     double

@@ -93,14 +93,6 @@ namespace ThermoContact
           const double       mechanical_energy);
 
     /**
-     * The event at the start of the step that was judged last cannot be
-     * finished: it is taken back, and the next attempt leaves contact to the
-     * law.
-     */
-    void
-    drop_event();
-
-    /**
      * The step that was judged last is accepted: makes its end a state that the
      * next one can start from, books what impacts have cost, and appends its
      * events.
