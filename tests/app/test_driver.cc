@@ -17,12 +17,12 @@
 // file that cannot be kept here. Files that a run leaves outside of the output
 // directory are named.
 //
-// Most of a short run is the loader's work on two hundred libraries: the
-// program is linked in, and a run is a child of this process that calls its
-// main(), but for those on ranks and those that read the standard input.
+// A run is a child of thermocontact_forks, which runs this driver again, but
+// for those on ranks and those that read the standard input.
 
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,10 +36,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-// ld --wrap=main: the name of the program's main()
-extern "C" int
-__real_main(int argc, char **argv);
 
 namespace
 {
@@ -165,26 +161,30 @@ namespace
     if (!launcher.empty() || arguments.find(" < ") != std::string::npos)
       return WEXITSTATUS(
         std::system((launcher + PROGRAM + options + " 2> stderr").c_str()));
-    std::vector<std::string> words = words_of("thermocontact" + options);
-    const pid_t              child = fork();
-    if (child == 0)
-      {
-        setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
-        setenv("OMPI_MCA_btl", "self", 1);
-        if (std::freopen("stderr", "w", stderr) == nullptr)
-          std::abort();
-        std::vector<char *> pointers;
-        for (std::string &word : words)
-          pointers.push_back(word.data());
-        pointers.push_back(nullptr);
-        const int status = __real_main(words.size(), pointers.data());
-        std::cout.flush();
-        std::fflush(nullptr);
-        _exit(status); // without the destructors of libraries
-      }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WEXITSTATUS(status);
+    const int   forks   = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_un address = {AF_UNIX, ""};
+    std::string(std::getenv("THERMOCONTACT_FORKS"))
+      .copy(address.sun_path, sizeof(address.sun_path) - 1);
+    const std::string request =
+      nlohmann::json{{"arguments", words_of(options)},
+                     {"directory", fs::current_path().string()},
+                     {"stdout", "said"},
+                     {"stderr", "stderr"}}
+        .dump() +
+      '\n';
+    char answer[16] = "";
+    if (connect(forks,
+                reinterpret_cast<sockaddr *>(&address),
+                sizeof(address)) != 0 ||
+        write(forks, request.data(), request.size()) < 0 ||
+        read(forks, answer, sizeof(answer) - 1) <= 0)
+      throw std::runtime_error("no answer of thermocontact_forks");
+    close(forks);
+    std::stringstream said;
+    said << std::ifstream("said").rdbuf();
+    std::cout << said.str();
+    fs::remove("said");
+    return std::atoi(answer);
   }
 
 
@@ -215,9 +215,11 @@ namespace
 
 
 
-extern "C" int
-__wrap_main(int, char **argv)
+int
+main(int, char **argv)
 {
+  if (std::getenv("THERMOCONTACT_FORKS") == nullptr)
+    return execl(FORKS, FORKS, argv[0], argv[1], nullptr);
   const fs::path        test       = argv[1];
   const std::string     test_dir   = test.parent_path().string() + "/";
   const std::string     prm_dir    = PRM_DIR;
@@ -230,7 +232,6 @@ __wrap_main(int, char **argv)
     arguments.emplace_back("FILE");
 
   setenv("THERMOCONTACT", PROGRAM, 1); // for the scripts
-  setenv("THERMOCONTACT_FORKS", FORKS, 1);
   for (const std::string &line : marked_lines(test, "#% "))
     if (const std::string shell_command = replace_all(line, "PRM", prm_dir);
         std::system(shell_command.c_str()) != 0)
