@@ -6,7 +6,6 @@ import os
 import re
 import socket
 import sys
-import tempfile
 from pathlib import Path
 
 
@@ -25,6 +24,7 @@ def run(*arguments, memory=None, file_size=None, seconds=None):
 
     memory, file_size: limits in bytes; seconds: of the processor.
     """
+    import tempfile
     with tempfile.TemporaryDirectory() as directory:
         screen, message = Path(directory, "stdout"), Path(directory, "stderr")
         status = status_of(arguments, screen, message, memory=memory, file_size=file_size,

@@ -21,8 +21,6 @@
 // for those on ranks and those that read the standard input.
 
 #include <nlohmann/json.hpp>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,7 +31,6 @@
 #include <iostream>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -81,34 +78,6 @@ namespace
 
 
   /**
-   * A directory for Open MPI, which this process and its children use and no
-   * other: processes that run at the same time disturb each other in the common
-   * one.
-   */
-  class MpiDirectory
-  {
-  public:
-    MpiDirectory()
-      : name((fs::temp_directory_path() / "thermocontact-XXXXXX").string())
-    {
-      if (mkdtemp(name.data()) == nullptr)
-        throw std::runtime_error("cannot make a directory like " + name);
-      setenv("OMPI_MCA_orte_tmpdir_base", name.c_str(), 1);
-    }
-
-    ~MpiDirectory()
-    {
-      std::error_code ignored;
-      fs::remove_all(name, ignored);
-    }
-
-  private:
-    std::string name;
-  };
-
-
-
-  /**
    * What the program wrote to the file stderr. The meaning of an entry, which
    * is that of doc/parameters.md, is in it the first time.
    */
@@ -134,57 +103,22 @@ namespace
 
 
 
-  /** As the shell takes @p line apart. */
-  std::vector<std::string>
-  words_of(const std::string &line)
-  {
-    FILE *const shell = popen(("printf '%s\\0' " + line).c_str(), "r");
-    std::vector<std::string> words(1);
-    for (int letter; (letter = std::fgetc(shell)) != EOF;)
-      if (letter == '\0')
-        words.emplace_back();
-      else
-        words.back() += static_cast<char>(letter);
-    words.pop_back();
-    pclose(shell);
-    return words;
-  }
-
-
-
   /** Its exit status; what it says on standard error is in the file stderr. */
   int
   run_program(const std::string &arguments, const std::string &launcher)
   {
     const std::string options = " --quiet --output results " + arguments;
     std::cout << std::flush;
-    if (!launcher.empty() || arguments.find(" < ") != std::string::npos)
-      return WEXITSTATUS(
-        std::system((launcher + PROGRAM + options + " 2> stderr").c_str()));
-    const int   forks   = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_un address = {AF_UNIX, ""};
-    std::string(std::getenv("THERMOCONTACT_FORKS"))
-      .copy(address.sun_path, sizeof(address.sun_path) - 1);
-    const std::string request =
-      nlohmann::json{{"arguments", words_of(options)},
-                     {"directory", fs::current_path().string()},
-                     {"stdout", "said"},
-                     {"stderr", "stderr"}}
-        .dump() +
-      '\n';
-    char answer[16] = "";
-    if (connect(forks,
-                reinterpret_cast<sockaddr *>(&address),
-                sizeof(address)) != 0 ||
-        write(forks, request.data(), request.size()) < 0 ||
-        read(forks, answer, sizeof(answer) - 1) <= 0)
-      throw std::runtime_error("no answer of thermocontact_forks");
-    close(forks);
+    const bool forked =
+      launcher.empty() && arguments.find(" < ") == std::string::npos;
+    const int status = std::system(
+      (launcher + (forked ? FORKED : PROGRAM) + options + " > said 2> stderr")
+        .c_str());
     std::stringstream said;
     said << std::ifstream("said").rdbuf();
     std::cout << said.str();
     fs::remove("said");
-    return std::atoi(answer);
+    return WEXITSTATUS(status);
   }
 
 
@@ -226,7 +160,6 @@ main(int, char **argv)
   const auto            questions  = marked_lines(test, "#? ");
   auto                  arguments  = marked_lines(test, "#$ ");
   const fs::path        output_dir = "results";
-  const MpiDirectory    mpi_directory;
   std::set<std::string> meanings;
   if (arguments.empty())
     arguments.emplace_back("FILE");
