@@ -12,7 +12,6 @@ SIGHUP that is ignored, after a file that may not grow any more; SIGTERM in a re
 import json
 import os
 import random
-import resource
 import shutil
 import signal
 import subprocess
@@ -22,6 +21,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 from contents import contents, different  # noqa: E402
+import program  # noqa: E402
 
 PROGRAM = os.environ["THERMOCONTACT"]
 N_KILLS = 3
@@ -40,21 +40,17 @@ class Run:
         self.prm = reference / "used.prm"
         self.directory = directory
         ranks = json.loads((reference / "summary.json").read_text())["ranks"]
-        # one process needs no daemon and no shared files of MPI
-        self.launcher = [
-            "env", "OMPI_MCA_ess_singleton_isolated=1", "OMPI_MCA_btl=self"
-        ] if ranks == 1 else [
-            "mpirun", "--allow-run-as-root", "--oversubscribe", "-n",
-            str(ranks)]
+        self.launcher = [] if ranks == 1 else [
+            "mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks)]
 
-    def start(self, *options, **settings):
-        if (self.directory / "checkpoint.bin").exists():
-            options += ("--resume",)
-        return subprocess.Popen(
-            [*self.launcher, PROGRAM, "--quiet", "--output",
-             str(self.directory), *options, str(self.prm)],
-            stderr=subprocess.PIPE, text=True, start_new_session=True,
-            **settings)
+    def words(self):
+        resume = ["--resume"] * (self.directory / "checkpoint.bin").exists()
+        return "--quiet", "--output", str(self.directory), *resume, str(self.prm)
+
+    def start(self, **settings):
+        return subprocess.Popen([*self.launcher, PROGRAM, *self.words()],
+                                stderr=subprocess.PIPE, text=True, start_new_session=True,
+                                **settings)
 
     def steps_of_checkpoints(self):
         """Runs it; the steps of the checkpoints that are seen, and its seconds."""
@@ -65,10 +61,13 @@ class Run:
         process.communicate()
         return steps, time.time() - begin
 
-    def finish(self, *options, **settings):
-        process = self.start(*options, **settings)
-        message = process.communicate()[1]
-        return process.returncode, message[message.find("thermocontact: "):]
+    def finish(self, **limits):
+        if self.launcher:
+            process = self.start()
+            message = process.communicate()[1]
+            return process.returncode, message
+        status, _, message = program.run(*self.words(), **limits)
+        return status, message
 
     def step(self):
         """Of the newest checkpoint, -1 if there is none."""
@@ -159,8 +158,7 @@ def let_no_file_grow(reference, expected):
     limit = len(expected["contact.csv"]) // 2
     for interval in (0, INTERVAL):  # checkpoints would tell of the fault, too
         status, message = run.finish(
-            "--set", f"Output/Checkpoint interval={interval}",
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+            "--set", f"Output/Checkpoint interval={interval}", file_size=limit)
         rows = (run.directory / "contact.csv").read_bytes()
         print("files may not grow: status", status, "named",
               int("limited/contact.csv: cannot be written" in message), "whole rows",

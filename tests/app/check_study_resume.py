@@ -15,7 +15,6 @@ import csv
 import os
 import random
 import re
-import resource
 import shutil
 import signal
 import subprocess
@@ -24,7 +23,7 @@ import time
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from program import started_by  # noqa: E402
+from program import started_by, status_of  # noqa: E402
 
 PROGRAM = os.environ["THERMOCONTACT"]
 N_KILLS = int(os.environ.get("THERMOCONTACT_KILLS", "4"))
@@ -48,19 +47,21 @@ def contents(directory):
             (directory / "study.md").read_text()]
 
 
-def start(directory, *options, ranks=1, **settings):
+def words(directory, *options):
     if (directory / "used.prm").exists():
         options += ("--resume",)
-    return subprocess.Popen(
-        [*(MPIRUN if ranks == 2 else []), PROGRAM, "--quiet", "--output",
-         str(directory), *options, str(reference / "used.prm")],
-        stderr=subprocess.PIPE, text=True, start_new_session=True, **settings)
+    return "--quiet", "--output", str(directory), *options, str(reference / "used.prm")
 
 
-def finish(directory, *options, **settings):
-    process = start(directory, *options, **settings)
-    message = process.communicate()[1]
-    return process.returncode, message[message.find("thermocontact: "):]
+def start(directory, ranks=1):
+    return subprocess.Popen([*(MPIRUN if ranks == 2 else []), PROGRAM, *words(directory)],
+                            stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+
+def finish(directory, *options, **limits):
+    status = status_of(words(directory, *options), "/dev/null", "said", **limits)
+    message = Path("said").read_text()
+    return status, message[message.find("thermocontact: "):]
 
 
 def wait_for_rows(process, directory, n):
@@ -96,9 +97,10 @@ def kill_again_and_again(directory):
             n_kills += 1
         process.communicate()
         n_lost += len(rows_of(directory)) <= before
-    status, _ = finish(directory, ranks=2)
+    process = start(directory, ranks=2)
+    process.communicate()
     print(f"killed {n_kills} times, {n_lost} times without a new row, resumed: status "
-          f"{status},", compare(directory))
+          f"{process.returncode},", compare(directory))
 
 
 def terminate(directory):
@@ -195,8 +197,7 @@ def refuse(directory):
 
 def let_no_file_grow(directory):
     limit = (reference / "study.csv").stat().st_size - 600
-    status, message = finish(directory, preexec_fn=lambda: resource.setrlimit(
-        resource.RLIMIT_FSIZE, (limit, limit)))
+    status, message = finish(directory, file_size=limit)
     print("files may not grow: status", status, "named",
           int("study.csv: cannot be written" in message))
     status, _ = finish(directory)

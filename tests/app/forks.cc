@@ -1,43 +1,69 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// usage: thermocontact_forks
+// usage: thermocontact_forks COMMAND...
 //
-// The program for scripts that run it hundreds of times: most of a short run is
-// the loader's work on two hundred libraries, which is done once here. Each
-// line of standard input is a run,
+// Runs a command that runs the program hundreds of times, and ends with its
+// status. Most of a short run is the loader's work on two hundred libraries and
+// the start of MPI: both are done once here. The environment variable
+// THERMOCONTACT_FORKS of the command names a socket; a line on each connection
+// to it is a run,
 //
-//   {"arguments": [...], "environment": {...}, "stdout": FILE, "stderr": FILE,
+//   {"arguments": [...], "directory": PATH, "stdout": FILE, "stderr": FILE,
 //    "memory": BYTES, "file_size": BYTES, "seconds": SECONDS}
 //
-// with null for no limit; it is a child of this process that calls the main()
-// of the program, linked in as it is. The answer is its exit status, or minus
-// the signal that ended it, on a line of standard output.
+// where the last line may be left out, and null is no limit; it is a child of
+// this process that calls the main() of the program, which is compiled here as
+// it is, but for the start of MPI. The answer is its exit status, or minus the
+// signal that ended it, on a line.
+
+#include <deal.II/base/mpi.h>
 
 #include <nlohmann/json.hpp>
+#include <poll.h>
 #include <sys/resource.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
-#include <iostream>
+#include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
-#include <vector>
 
-// ld --wrap=main: the name of the program's main()
-extern "C" int
-__real_main(int argc, char **argv);
+namespace dealii::Utilities::MPI
+{
+  /** In the place of MPI_InitFinalize, in a process whose parent has started
+   * MPI. */
+  struct IsThere
+  {
+    IsThere(int &, char **&, unsigned int)
+    {}
+    ~IsThere()
+    {}
+  };
+} // namespace dealii::Utilities::MPI
+
+#define MPI_InitFinalize IsThere
+#define main program_main
+#include "../../source/main.cc"
+#undef main
+#undef MPI_InitFinalize
 
 namespace
 {
   void
-  set_limit(const __rlimit_resource_t kind, const nlohmann::json &value)
+  set_limit(const __rlimit_resource_t kind,
+            const nlohmann::json     &request,
+            const std::string        &name)
   {
-    if (value.is_null())
+    if (!request.contains(name) || request.at(name).is_null())
       return;
-    const rlim_t limit   = value;
-    const rlimit request = {limit, limit};
-    if (setrlimit(kind, &request) != 0)
+    const rlim_t limit  = request.at(name);
+    const rlimit limits = {limit, limit};
+    if (setrlimit(kind, &limits) != 0)
       std::abort();
   }
 
@@ -46,16 +72,15 @@ namespace
   [[noreturn]] void
   run_program(const nlohmann::json &request)
   {
-    for (const auto &[name, value] : request.at("environment").items())
-      setenv(name.c_str(), value.get<std::string>().c_str(), 1);
+    std::filesystem::current_path(request.at("directory").get<std::string>());
     const std::string out = request.at("stdout"), err = request.at("stderr");
     if (std::freopen("/dev/null", "r", stdin) == nullptr ||
         std::freopen(out.c_str(), "w", stdout) == nullptr ||
         std::freopen(err.c_str(), "w", stderr) == nullptr)
       std::abort();
-    set_limit(RLIMIT_AS, request.at("memory"));
-    set_limit(RLIMIT_FSIZE, request.at("file_size"));
-    set_limit(RLIMIT_CPU, request.at("seconds"));
+    set_limit(RLIMIT_AS, request, "memory");
+    set_limit(RLIMIT_FSIZE, request, "file_size");
+    set_limit(RLIMIT_CPU, request, "seconds");
 
     std::vector<std::string> words = {"thermocontact"};
     for (const auto &argument : request.at("arguments"))
@@ -64,30 +89,127 @@ namespace
     for (std::string &word : words)
       pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    const int status = __real_main(words.size(), pointers.data());
+    const int status = program_main(words.size(), pointers.data());
     std::cout.flush();
     std::fflush(nullptr);
     _exit(status); // the destructors of two hundred libraries take a quarter
+  }
+
+
+
+  nlohmann::json
+  read_request(const int connection)
+  {
+    std::string text;
+    for (char part[4096]; text.empty() || text.back() != '\n';)
+      if (const ssize_t n = read(connection, part, sizeof(part)); n > 0)
+        text.append(part, n);
+      else
+        break;
+    return nlohmann::json::parse(text);
+  }
+
+
+
+  /**
+   * Answers requests until the command has ended.
+   *
+   * @param listener socket of the connections
+   * @param signals says that children have ended
+   * @return exit status of the command
+   */
+  int
+  serve(const int       listener,
+        const int       signals,
+        const pid_t     command,
+        const sigset_t &before)
+  {
+    std::map<pid_t, int> connections; // of what runs
+    std::optional<int>   end;
+    while (!end || !connections.empty())
+      {
+        pollfd events[2] = {{listener, POLLIN, 0}, {signals, POLLIN, 0}};
+        poll(events, 2, -1);
+        if (events[1].revents != 0)
+          {
+            signalfd_siginfo ignored;
+            if (read(signals, &ignored, sizeof(ignored)) < 0)
+              return 1;
+            int status = 0;
+            for (pid_t child; (child = waitpid(-1, &status, WNOHANG)) > 0;)
+              {
+                const int code =
+                  WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+                if (child == command)
+                  end = code < 0 ? 128 - code : code;
+                else if (const auto run = connections.find(child);
+                         run != connections.end())
+                  {
+                    dprintf(run->second, "%d\n", code);
+                    close(run->second);
+                    connections.erase(run);
+                  }
+              }
+          }
+        if (events[0].revents != 0)
+          {
+            const int connection         = accept(listener, nullptr, nullptr);
+            const nlohmann::json request = read_request(connection);
+            const pid_t          child   = fork();
+            if (child == 0)
+              {
+                sigprocmask(SIG_SETMASK, &before, nullptr);
+                run_program(request);
+              }
+            connections[child] = connection;
+          }
+      }
+    return *end;
   }
 } // namespace
 
 
 
-extern "C" int
-__wrap_main(int, char **)
+int
+main(int argc, char **argv)
 {
-  for (std::string line; std::getline(std::cin, line);)
+  std::string directory =
+    std::filesystem::temp_directory_path() / "thermocontact-XXXXXX";
+  const int listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (argc < 2 || mkdtemp(directory.data()) == nullptr)
+    return 2;
+  sockaddr_un address = {AF_UNIX, ""};
+  (directory + "/forks").copy(address.sun_path, sizeof(address.sun_path) - 1);
+  if (bind(listener, reinterpret_cast<sockaddr *>(&address), sizeof(address)) !=
+        0 ||
+      listen(listener, 100) != 0)
+    return 2;
+  setenv("THERMOCONTACT_FORKS", address.sun_path, 1);
+  // mpiruns at the same time disturb each other in a common directory
+  setenv("OMPI_MCA_orte_tmpdir_base", directory.c_str(), 1);
+
+  sigset_t of_children, before;
+  sigemptyset(&of_children);
+  sigaddset(&of_children, SIGCHLD);
+  sigprocmask(SIG_BLOCK,
+              &of_children,
+              &before); // Open MPI's handler waits, too
+  const pid_t command = fork();
+  if (command == 0)
     {
-      const nlohmann::json request = nlohmann::json::parse(line);
-      const pid_t          child   = fork();
-      if (child == 0)
-        run_program(request);
-      int status = 0;
-      if (child < 0 || waitpid(child, &status, 0) != child)
-        return 1;
-      std::cout << (WIFSIGNALED(status) ? -WTERMSIG(status) :
-                                          WEXITSTATUS(status))
-                << std::endl;
+      sigprocmask(SIG_SETMASK, &before, nullptr);
+      execvp(argv[1], argv + 1);
+      _exit(127);
     }
-  return 0;
+  const auto to_unset       = ThermoContact::tell_mpi_of_single_process();
+  int        n_arguments    = 1;
+  char      *program_name[] = {argv[0], nullptr};
+  char     **arguments      = program_name;
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments, arguments, 1);
+  for (const char *const name : to_unset)
+    unsetenv(name);
+  const int status =
+    serve(listener, signalfd(-1, &of_children, SFD_CLOEXEC), command, before);
+  std::filesystem::remove_all(directory);
+  _exit(status); // the command has what was printed
 }

@@ -1,26 +1,22 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs of the program, for the scripts check_*.py."""
-import atexit
+"""Runs of the program, for the scripts check_*.py; called itself, one in its place."""
 import json
 import os
 import re
-import subprocess
-import tempfile
-import threading
-from concurrent.futures import ThreadPoolExecutor
+import socket
+import sys
 from pathlib import Path
 
-_OF_THREAD = threading.local()
 
-
-def _forks():
-    """The process that runs the program for this thread (forks.cc)."""
-    if not hasattr(_OF_THREAD, "forks"):
-        _OF_THREAD.forks = subprocess.Popen(
-            [os.environ["THERMOCONTACT_FORKS"]], stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE, text=True)
-        atexit.register(_OF_THREAD.forks.communicate)  # its time is part of a test's
-    return _OF_THREAD.forks
+def status_of(arguments, screen, message, **limits):
+    """The exit status of a run, or minus the signal that ended it (forks.cc)."""
+    with socket.socket(socket.AF_UNIX) as forks:
+        forks.connect(os.environ["THERMOCONTACT_FORKS"])
+        forks.sendall(json.dumps({
+            "arguments": [str(argument) for argument in arguments], "directory": os.getcwd(),
+            "stdout": str(screen), "stderr": str(message), **limits}).encode() + b"\n")
+        return int(forks.makefile().readline())
 
 
 def run(*arguments, memory=None, file_size=None, seconds=None):
@@ -28,28 +24,19 @@ def run(*arguments, memory=None, file_size=None, seconds=None):
 
     memory, file_size: limits in bytes; seconds: of the processor.
     """
-    # single processes of Open MPI that run at the same time disturb each other
-    # in a common directory
+    import tempfile
     with tempfile.TemporaryDirectory() as directory:
         screen, message = Path(directory, "stdout"), Path(directory, "stderr")
-        forks = _forks()
-        print(json.dumps({
-            "arguments": [str(argument) for argument in arguments],
-            "environment": {"OMPI_MCA_ess_singleton_isolated": "1",
-                            "OMPI_MCA_btl": "self",
-                            "OMPI_MCA_orte_tmpdir_base": directory},
-            "stdout": str(screen), "stderr": str(message),
-            "memory": memory, "file_size": file_size, "seconds": seconds}),
-            file=forks.stdin, flush=True)
-        status = int(forks.stdout.readline())
+        status = status_of(arguments, screen, message, memory=memory, file_size=file_size,
+                           seconds=seconds)
         words = message.read_text().partition("thermocontact: ")[2]
         return status, screen.read_text(), re.sub(r"^command line: ", "", words)
 
 
 def for_all(function, arguments):
     """The results of function in the order of arguments, on all processors."""
-    # a process waits for half of its time, for its set-up of MPI
-    with ThreadPoolExecutor(2 * os.cpu_count()) as pool:
+    from concurrent.futures import ThreadPoolExecutor
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
         return list(pool.map(function, arguments))
 
 
@@ -70,3 +57,15 @@ def started_by(process):
         if int(parent) == process.pid:
             children.append(int(path.parent.name))
     return children
+
+
+def main():
+    """On ranks the program itself, which a script names in the environment."""
+    if "OMPI_COMM_WORLD_SIZE" in os.environ:
+        os.execv(os.environ["THERMOCONTACT_PROGRAM"], ["thermocontact", *sys.argv[1:]])
+    status = status_of(sys.argv[1:], *(f"/proc/{os.getpid()}/fd/{i}" for i in (1, 2)))
+    sys.exit(status if status >= 0 else 128 - status)
+
+
+if __name__ == "__main__":
+    main()

@@ -17,12 +17,10 @@
 // file that cannot be kept here. Files that a run leaves outside of the output
 // directory are named.
 //
-// Most of a short run is the loader's work on two hundred libraries: the
-// program is linked in, and a run is a child of this process that calls its
-// main(), but for those on ranks and those that read the standard input.
+// A run is a child of thermocontact_forks, which runs this driver again, but
+// for those on ranks and those that read the standard input.
 
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,13 +31,8 @@
 #include <iostream>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
-
-// ld --wrap=main: the name of the program's main()
-extern "C" int
-__real_main(int argc, char **argv);
 
 namespace
 {
@@ -85,34 +78,6 @@ namespace
 
 
   /**
-   * A directory for Open MPI, which this process and its children use and no
-   * other: processes that run at the same time disturb each other in the common
-   * one.
-   */
-  class MpiDirectory
-  {
-  public:
-    MpiDirectory()
-      : name((fs::temp_directory_path() / "thermocontact-XXXXXX").string())
-    {
-      if (mkdtemp(name.data()) == nullptr)
-        throw std::runtime_error("cannot make a directory like " + name);
-      setenv("OMPI_MCA_orte_tmpdir_base", name.c_str(), 1);
-    }
-
-    ~MpiDirectory()
-    {
-      std::error_code ignored;
-      fs::remove_all(name, ignored);
-    }
-
-  private:
-    std::string name;
-  };
-
-
-
-  /**
    * What the program wrote to the file stderr. The meaning of an entry, which
    * is that of doc/parameters.md, is in it the first time.
    */
@@ -138,52 +103,21 @@ namespace
 
 
 
-  /** As the shell takes @p line apart. */
-  std::vector<std::string>
-  words_of(const std::string &line)
-  {
-    FILE *const shell = popen(("printf '%s\\0' " + line).c_str(), "r");
-    std::vector<std::string> words(1);
-    for (int letter; (letter = std::fgetc(shell)) != EOF;)
-      if (letter == '\0')
-        words.emplace_back();
-      else
-        words.back() += static_cast<char>(letter);
-    words.pop_back();
-    pclose(shell);
-    return words;
-  }
-
-
-
   /** Its exit status; what it says on standard error is in the file stderr. */
   int
   run_program(const std::string &arguments, const std::string &launcher)
   {
     const std::string options = " --quiet --output results " + arguments;
     std::cout << std::flush;
-    if (!launcher.empty() || arguments.find(" < ") != std::string::npos)
-      return WEXITSTATUS(
-        std::system((launcher + PROGRAM + options + " 2> stderr").c_str()));
-    std::vector<std::string> words = words_of("thermocontact" + options);
-    const pid_t              child = fork();
-    if (child == 0)
-      {
-        setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
-        setenv("OMPI_MCA_btl", "self", 1);
-        if (std::freopen("stderr", "w", stderr) == nullptr)
-          std::abort();
-        std::vector<char *> pointers;
-        for (std::string &word : words)
-          pointers.push_back(word.data());
-        pointers.push_back(nullptr);
-        const int status = __real_main(words.size(), pointers.data());
-        std::cout.flush();
-        std::fflush(nullptr);
-        _exit(status); // without the destructors of libraries
-      }
-    int status = 0;
-    waitpid(child, &status, 0);
+    const bool forked =
+      launcher.empty() && arguments.find(" < ") == std::string::npos;
+    const int status = std::system(
+      (launcher + (forked ? FORKED : PROGRAM) + options + " > said 2> stderr")
+        .c_str());
+    std::stringstream said;
+    said << std::ifstream("said").rdbuf();
+    std::cout << said.str();
+    fs::remove("said");
     return WEXITSTATUS(status);
   }
 
@@ -215,22 +149,22 @@ namespace
 
 
 
-extern "C" int
-__wrap_main(int, char **argv)
+int
+main(int, char **argv)
 {
+  if (std::getenv("THERMOCONTACT_FORKS") == nullptr)
+    return execl(FORKS, FORKS, argv[0], argv[1], nullptr);
   const fs::path        test       = argv[1];
   const std::string     test_dir   = test.parent_path().string() + "/";
   const std::string     prm_dir    = PRM_DIR;
   const auto            questions  = marked_lines(test, "#? ");
   auto                  arguments  = marked_lines(test, "#$ ");
   const fs::path        output_dir = "results";
-  const MpiDirectory    mpi_directory;
   std::set<std::string> meanings;
   if (arguments.empty())
     arguments.emplace_back("FILE");
 
   setenv("THERMOCONTACT", PROGRAM, 1); // for the scripts
-  setenv("THERMOCONTACT_FORKS", FORKS, 1);
   for (const std::string &line : marked_lines(test, "#% "))
     if (const std::string shell_command = replace_all(line, "PRM", prm_dir);
         std::system(shell_command.c_str()) != 0)

@@ -8,7 +8,6 @@ page stands for what the scene chooses. The recipes of the page read the tables 
 import difflib
 import fnmatch
 import json
-import os
 import re
 import subprocess
 import sys
@@ -16,6 +15,9 @@ import tempfile
 from pathlib import Path
 
 project, program = map(Path, sys.argv[1:])
+sys.path.append(str(project / "tests/app"))
+import program as runs  # noqa: E402
+
 SHORT = {"Time/End time": "0.02", "Time/Step size": "0.01", "Mesh/Cells": "3",
          "Mesh/Degree": "1"}
 BODY = {**SHORT, "Dimension": "2", "Mesh/Cells across": "2", "Contact/Gap": "-0.01",
@@ -67,15 +69,12 @@ def names_in(path):
 
 
 def run(name, entries, directory):
-    options = [word for path, value in entries.items()
-               for word in ("--set", f"{path}={value}")]
     scene = directory / f"{name}.prm"
     scene.write_text("# " + name + "\n", encoding="utf-8")
-    process = subprocess.run(
-        [program, "--quiet", "--output", directory / name, *options, scene],
-        capture_output=True, text=True, check=False,
-        env={**os.environ, "OMPI_MCA_btl": "self", "OMPI_MCA_ess_singleton_isolated": "1"})
-    return [] if process.returncode == 0 else [f"{name}: {process.stderr.strip()}"]
+    status, _, message = runs.run(
+        "--quiet", "--output", directory / name, scene,
+        *runs.settings(f"{path}={value}" for path, value in entries.items()))
+    return [] if status == 0 else [f"{name}: {message.strip()}"]
 
 
 def read_by_recipes(page, directory):

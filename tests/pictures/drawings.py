@@ -5,7 +5,6 @@ import csv
 import importlib.util
 import io
 import os
-import subprocess
 import sys
 import tempfile
 from importlib.machinery import SourceFileLoader
@@ -15,7 +14,10 @@ import numpy
 from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
 
-PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2]).resolve()
+SOURCE = Path(sys.argv[2]).resolve()
+sys.path.append(str(SOURCE / "tests/app"))
+import program  # noqa: E402
+
 _failed = []
 
 
@@ -41,10 +43,10 @@ def run_in_scratch(main):
 def run(directory, prm, *settings):
     """A run of the program; prm within prm/."""
     words = [word for entry in settings for word in ("--set", entry)]
-    subprocess.run([PROGRAM, "--quiet", "--output", directory, *words,
-                    SOURCE / "prm" / prm], check=True, env={
-                        **os.environ, "OMPI_MCA_btl": "self",
-                        "OMPI_MCA_ess_singleton_isolated": "1"})
+    status, _, message = program.run("--quiet", "--output", directory, *words,
+                                     SOURCE / "prm" / prm)
+    if status != 0:
+        raise RuntimeError(message)
 
 
 def table(path):

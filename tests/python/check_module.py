@@ -26,7 +26,8 @@ try:
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
-os.environ["THERMOCONTACT"] = str(program)
+os.environ |= {"THERMOCONTACT": str(source / "tests/app/program.py"),
+               "THERMOCONTACT_PROGRAM": str(program)}
 sys.path.insert(0, str(source / "python"))
 import thermocontact
 

@@ -24,7 +24,8 @@ except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
 
-os.environ["THERMOCONTACT"] = str(program)
+os.environ |= {"THERMOCONTACT": str(source / "tests/app/program.py"),
+               "THERMOCONTACT_PROGRAM": str(program)}
 os.chdir(source / "doc")
 sys.path.insert(0, str(source / "python"))
 cells = json.loads(Path("fit-of-a-stop.ipynb").read_text(encoding="utf-8"))["cells"]
