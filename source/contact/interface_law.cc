@@ -207,9 +207,8 @@ namespace ThermoContact
   double
   NodeLaw::change_side(const double position)
   {
-    const double seen = side > 0 ? position + play : position - play;
-    side              = -side;
-    return seen;
+    side = -side;
+    return position - side * play;
   }
 
 

@@ -8,12 +8,11 @@ namespace ThermoContact
 {
   namespace
   {
-    /** $e^{-\mu}\sinh(y)/y$ for $0\le y\le\mu$, without overflow. */
+    /** $e^{-\mu}\sinh(y)/y$ for $0<y\le\mu$, without overflow. */
     double
     scaled_sinhc(const double y, const double mu)
     {
-      return y > 0. ? -0.5 * std::expm1(-2. * y) * std::exp(y - mu) / y :
-                      std::exp(-mu);
+      return -0.5 * std::expm1(-2. * y) * std::exp(y - mu) / y;
     }
   } // namespace
 

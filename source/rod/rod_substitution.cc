@@ -44,15 +44,14 @@ namespace ThermoContact
       keep(vertex, values);
       before = values;
     };
-    for (; i < middle && j > middle; ++i, --j)
+    // there are as many on the left, or one more
+    for (; j > middle; ++i, --j)
       {
         eliminate(i, a);
         eliminate(j, b);
       }
     for (; i < middle; ++i)
       eliminate(i, a);
-    for (; j > middle; --j)
-      eliminate(j, b);
 
     Values last = load(middle);
     if (middle > 0)
@@ -70,15 +69,13 @@ namespace ThermoContact
     };
     i = middle;
     j = middle + 1;
-    for (; i > 0 && j < n; --i, ++j)
+    for (; j < n; --i, ++j)
       {
         substitute(i - 1, a);
         substitute(j, b);
       }
     for (; i > 0; --i)
       substitute(i - 1, a);
-    for (; j < n; ++j)
-      substitute(j, b);
   }
 
 

@@ -109,13 +109,13 @@ namespace
             << wall->resolve(-1., 0.03).pressure << ", held "
             << held.resolve(-3., 2.).pressure << std::endl;
     NodeLaw front(*soft);
-    front.play   = 2.;
-    NodeLaw rear = front;
-    rear.side    = -1;
+    front.play         = 2.;
+    NodeLaw      rear  = front;
+    const double shift = rear.change_side(0.);
     deallog << "two sides:";
     for (const double z : {2., -1., -6.})
       deallog << ' ' << front.resolve(z, 1.).pressure << ' '
-              << rear.resolve(z + 2., 1.).pressure;
+              << rear.resolve(z + shift, 1.).pressure;
     deallog << std::endl;
     const auto law = linear(0.5, 2.);
     deallog << "damped: closing "
