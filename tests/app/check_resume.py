@@ -61,12 +61,12 @@ class Run:
         process.communicate()
         return steps, time.time() - begin
 
-    def finish(self, **limits):
+    def finish(self, *options, **limits):
         if self.launcher:
             process = self.start()
             message = process.communicate()[1]
             return process.returncode, message
-        status, _, message = program.run(*self.words(), **limits)
+        status, _, message = program.run(*self.words(), *options, **limits)
         return status, message
 
     def step(self):
