@@ -43,7 +43,7 @@ CASES = [
      [(("Time/Step size=0.02",), 1), (("Time/Step size=0.04",), 1 / 3)],
      [("Mesh/Cells=5",), ("Mesh/Cells=3",)], 1 / 8),
     # fewer than eight steps
-    (("Time/Scheme=sdirk2", "Time/Step size=0.15", "Mesh/Degree=2"),
+    (("Time/Scheme=backward euler", "Time/Step size=0.15", "Mesh/Degree=2"),
      [(("Time/Step size=0.075",), 2)], [("Mesh/Cells=4",), ("Mesh/Cells=2",)], 1 / 8),
     (("Dimension=2", "Mesh/Cells=4", "Mesh/Cells across=2", "Mesh/Degree=1",
       "Time/Step size=0.02", "Time/Scheme=sdirk2"),

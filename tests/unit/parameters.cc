@@ -58,7 +58,6 @@ namespace
     // in the section where it stands; what stands behind it holds
     std::ofstream("part.prm") << "set Viscosity = 0.5\nset Coupling = 0.1\n";
     read("subsection Model\n  include part.prm\n  set Viscosity = 2\nend\n");
-    read("set Title = a\\b \\\n c\n");
   }
 
 
