@@ -51,7 +51,6 @@ namespace ThermoContact
 
   SignalWatch::SignalWatch()
   {
-    last_signal = 0;
     set_action(note_signal);
   }
 

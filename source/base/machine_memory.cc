@@ -22,7 +22,7 @@ namespace ThermoContact
                    static_cast<double>(sysconf(_SC_PAGESIZE));
     // a file that is not there, or says "max", gives no number
     std::ifstream container("/sys/fs/cgroup/memory.max");
-    if (double limit = 0.; container >> limit && limit > 0.)
+    if (double limit; container >> limit)
       bytes = std::min(bytes, limit);
     rlimit limit;
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)

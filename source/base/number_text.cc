@@ -5,6 +5,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace ThermoContact
@@ -24,12 +25,14 @@ namespace ThermoContact
                 const unsigned int digits)
   {
     AssertIndexRange(digits, max_digits + 1);
-    char        number[max_length];
-    char *const last = number + max_length;
-    const auto  end =
-      digits == all_digits ?
-         std::to_chars(number, last, value) :
-         std::to_chars(number, last, value, std::chars_format::general, digits);
+    char       number[max_length];
+    const auto end = digits == all_digits ?
+                       std::to_chars(number, std::end(number), value) :
+                       std::to_chars(number,
+                                     std::end(number),
+                                     value,
+                                     std::chars_format::general,
+                                     digits);
     line.append(number, end.ptr);
   }
 
@@ -51,7 +54,7 @@ namespace ThermoContact
     AssertIndexRange(decimals, max_digits + 1);
     char       number[std::numeric_limits<double>::max_exponent10 + max_length];
     const auto end = std::to_chars(number,
-                                   number + sizeof(number),
+                                   std::end(number),
                                    value,
                                    std::chars_format::fixed,
                                    decimals)
@@ -88,7 +91,7 @@ namespace ThermoContact
   std::optional<double>
   parse_number(std::string_view text)
   {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+    if (text.find('+') == 0 && text.find('-') != 1)
       text.remove_prefix(1);
     double     value = 0.;
     const auto end   = text.data() + text.size();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/writable_file.h>
 
 #include <fcntl.h>
@@ -116,7 +117,7 @@ namespace ThermoContact
       return "";
     std::remove(part.c_str());
     // the user knows the file by its name
-    return fault.rfind(part, 0) == 0 ? path + fault.substr(part.size()) : fault;
+    return begins_with(fault, part) ? path + fault.substr(part.size()) : fault;
   }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameters.h>
@@ -141,7 +141,7 @@ namespace ThermoContact
   bool
   is_constant_path(const std::string &path)
   {
-    return path.rfind(constants_section + "/", 0) == 0 &&
+    return begins_with(path, constants_section + "/") &&
            path.size() > constants_section.size() + 1;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/declared_entries.h>
 
 #include <deal.II/base/utilities.h>
@@ -147,7 +148,7 @@ namespace ThermoContact
     replace("Integer", is_range ? "a whole number from" : "a whole number");
     replace("Bool", "true | false");
     replace("Anything", "any text");
-    if (pattern.rfind("Selection ", 0) == 0)
+    if (begins_with(pattern, "Selection "))
       {
         pattern.erase(0, std::strlen("Selection "));
         replace("|", " | ");

@@ -59,7 +59,7 @@ namespace ThermoContact
     std::string
     show_position(const std::string &text, const std::size_t position)
     {
-      const std::size_t begin  = position > 60 ? position - 60 : 0;
+      const std::size_t begin  = position - std::min<std::size_t>(position, 60);
       const std::string dots   = begin > 0 ? "..." : "";
       const std::string before = quote(text.substr(begin, position - begin));
       std::size_t       column = dots.size();
@@ -114,8 +114,8 @@ namespace ThermoContact
     {
       if (skip_blanks() == '\0')
         refuse(path, text, "an empty expression", "0 for none", next);
-      const unsigned int whole = choice();
-      const char         left  = skip_blanks();
+      choice();
+      const char left = skip_blanks();
       if (left == ')')
         cannot_read("a ')' without a '('");
       if (left == ',')
@@ -128,8 +128,6 @@ namespace ThermoContact
         cannot_read(
           "an operator is missing before " + next_word() +
           (left == ':' ? "; ranges, for Study/Vary, are 1 .. 2 (7)" : ""));
-      if (whole + 1 != parts.size()) // the whole is to be the last one
-        parts.push_back(Part(parts[whole]));
       if (parts.back().kind == Part::table && !names.units.empty())
         {
           const MeasuredTable &table = *tables[parts.back().operands[1]];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/constants.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_file.h>
@@ -185,7 +185,7 @@ namespace ThermoContact
     std::string unknown_section; // what stands in it is no fault of its own
     for (const Assignment &assignment : assignments)
       if (unknown_section.empty() ||
-          assignment.path.rfind(unknown_section, 0) != 0)
+          !begins_with(assignment.path, unknown_section))
         {
           const std::size_t n_faults = faults.size();
           collect([&]() { check_name(assignment, places); });
@@ -204,7 +204,7 @@ namespace ThermoContact
       return path == "Dimension";
     };
     const auto is_of_rod = [](const std::string &path) {
-      return path.rfind("Rod/", 0) == 0;
+      return begins_with(path, "Rod/");
     };
     assign_if(is_dimension, without_unit);
     if (!is_in_si(assignments))
@@ -216,7 +216,7 @@ namespace ThermoContact
         const unsigned int dim = *parse_number(prm.get("Dimension"));
         assign_if([&](const std::string &path) { return !is_dimension(path); },
                   [&](const Assignment &assignment) {
-                    refuse_units({assignment});
+                    refuse_units(assignment);
                     check_expression(assignment, dim, names);
                     return assignment.value;
                   });
@@ -252,19 +252,17 @@ namespace ThermoContact
                   const std::vector<Assignment> &assignments,
                   std::string                   &message)
     {
-      const std::string shown = quote(entry.value), head = entry.path + " = ";
-      const auto rest = message.substr(std::min(head.size(), message.size()));
-      const std::size_t size =
-        rest.rfind(shown, 0) == 0 ?
-          shown.size() :
-          std::min(rest.find_first_of(" \n:"), rest.size());
-      if (message.rfind(head, 0) != 0 ||
-          (rest.rfind(shown, 0) != 0 && !parse_number(rest.substr(0, size))))
+      const std::string       head = entry.path + " = ";
+      const Assignment *const last = last_assignment(assignments, entry.path);
+      if (last == nullptr || !begins_with(message, head))
         return;
-      if (const Assignment *const last =
-            last_assignment(assignments, entry.path);
-          last != nullptr && rest.rfind(quote(last->value), 0) != 0)
-        message = head + quote(last->value) + rest.substr(size);
+      const std::string rest  = message.substr(head.size()),
+                        shown = quote(entry.value), given = quote(last->value);
+      if (!begins_with(rest, given))
+        message.replace(head.size(),
+                        begins_with(rest, shown) ? shown.size() :
+                                                   rest.find_first_of(" \n:"),
+                        given);
     }
   } // namespace
 
@@ -276,12 +274,12 @@ namespace ThermoContact
                    const ParameterHandler        &prm)
   {
     const auto is_about = [&message](const std::string &path) {
-      return message.rfind(path + " =", 0) == 0 ||
-             message.rfind(path + ":", 0) == 0;
+      return begins_with(message, path + " =") ||
+             begins_with(message, path + ":");
     };
     std::string place, reason;
     for (const Assignment &assignment : assignments)
-      if (message.rfind(assignment.place + ": ", 0) == 0)
+      if (begins_with(message, assignment.place + ": "))
         return message; // complete
       else if (is_about(assignment.path))
         place = assignment.place + ": ";

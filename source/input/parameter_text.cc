@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/parameter_text.h>
 
 #include <deal.II/base/utilities.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -142,7 +144,7 @@ namespace ThermoContact
                    fault,
                    "give a parameter file, as text in UTF-8 with the line ends "
                    "of Unix or Windows");
-            if (n_lines == 1 && physical_line.rfind("\xEF\xBB\xBF", 0) == 0)
+            if (n_lines == 1 && begins_with(physical_line, "\xEF\xBB\xBF"))
               physical_line.erase(0, 3); // some editors mark UTF-8 so
 
             line += physical_line.substr(0, physical_line.find('#'));
@@ -276,13 +278,12 @@ namespace ThermoContact
         const Character character(text, i);
         if (!character.is_valid || is_invisible(character.code_point))
           {
-            std::ostringstream number;
-            number << (character.is_valid ? "<U+" : "<byte ") << std::hex
-                   << std::uppercase;
-            number.width(character.is_valid ? 4 : 2);
-            number.fill('0');
-            number << character.code_point << '>';
-            quoted += number.str();
+            char number[16];
+            std::snprintf(number,
+                          sizeof(number),
+                          character.is_valid ? "<U+%04X>" : "<byte %02X>",
+                          character.code_point);
+            quoted += number;
           }
         else
           quoted += text.substr(i, character.n_bytes);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
 
@@ -54,7 +55,7 @@ namespace ThermoContact
         const std::string begin = range.path + " = ";
         if (split && split->unit.empty() &&
             !(split->number >= range.low && split->number <= range.high) &&
-            (doubts.empty() || doubts.back().rfind(begin, 0) != 0))
+            (doubts.empty() || !begins_with(doubts.back(), begin)))
           doubts.push_back(begin + last->value + ": is that in " +
                            unit_of_entry(range.path) + ", or " + last->value +
                            ' ' + range.unit +

@@ -110,7 +110,7 @@ namespace ThermoContact
     return std::any_of(assignments.begin(),
                        assignments.end(),
                        [](const Assignment &a) {
-                         return a.path.rfind("Rod/", 0) == 0 &&
+                         return begins_with(a.path, "Rod/") &&
                                 !a.is_section() && a.value != "0" &&
                                 a.value != "free" && a.value != "automatic";
                        });
@@ -141,28 +141,23 @@ namespace ThermoContact
 
 
   void
-  refuse_units(const std::vector<Assignment> &assignments)
+  refuse_units(const Assignment &assignment)
   {
-    for (const Assignment &assignment : assignments)
-      {
-        const auto split = split_unit(assignment.value);
-        const auto entry = find_entry(assignment.path);
-        // what is behind a number may be a name, whose '*' is missing
-        if (entry != nullptr && !entry->kind.empty() && split &&
-            !split->unit.empty() && is_unit(split->unit))
-          refuse(assignment,
-                 "a unit, and the file has no section Rod, from which "
-                 "the scales of a scene in SI units follow",
-                 "a nondimensional number",
-                 "the number without a unit, '*' before a name, or "
-                 "section Rod");
-        if (assignment.path == "Contact/Stiffness" &&
-            assignment.value != "none")
-          refuse(assignment,
-                 "the file has no section Rod, and is nondimensional",
-                 "none",
-                 "Contact/Compliance, or section Rod");
-      }
+    const auto split = split_unit(assignment.value);
+    // what is behind a number may be a name, whose '*' is missing
+    if (!entry_of_program(assignment.path).kind.empty() && split &&
+        !split->unit.empty() && is_unit(split->unit))
+      refuse(assignment,
+             "a unit, and the file has no section Rod, from which "
+             "the scales of a scene in SI units follow",
+             "a nondimensional number",
+             "the number without a unit, '*' before a name, or "
+             "section Rod");
+    if (assignment.path == "Contact/Stiffness" && assignment.value != "none")
+      refuse(assignment,
+             "the file has no section Rod, and is nondimensional",
+             "none",
+             "Contact/Compliance, or section Rod");
   }
 
 
@@ -367,7 +362,7 @@ namespace ThermoContact
              "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
              "the number without the unit");
     Conversion conversion;
-    if (assignment.path.rfind("Rod/", 0) != 0)
+    if (!begins_with(assignment.path, "Rod/"))
       conversion = conversion_of(kind, conversions);
     if (kind == "compliance")
       conversion.factor =

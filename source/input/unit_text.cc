@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/unit_text.h>
 
 #include <deal.II/base/utilities.h>
@@ -64,7 +64,7 @@ namespace ThermoContact
   std::optional<NumberWithUnit>
   split_unit(const std::string &text)
   {
-    const std::size_t sign = text.rfind('+', 0) == 0 ? 1 : 0;
+    const std::size_t sign = begins_with(text, "+") ? 1 : 0;
     double            number;
     const auto        end  = text.data() + text.size();
     const auto        read = std::from_chars(text.data() + sign, end, number);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/unknown_names.h>
 
@@ -147,7 +148,7 @@ namespace ThermoContact
     for (const std::string &known : sections)
       {
         all += (all.empty() ? "" : ", ") + known;
-        if (section.rfind(known + "/", 0) == 0)
+        if (begins_with(section, known + "/"))
           remedy = "close section " + known + " with 'end' first; ";
       }
     throw InputError(place + ": there is no section " + quote(section) +

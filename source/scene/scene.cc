@@ -110,9 +110,6 @@ namespace ThermoContact
         {
           throw InputError(error.what());
         }
-      if (expression->is_constant())
-        return std::make_unique<const HeatExchange>(
-          exchange->coefficient(0., 0.));
       return exchange;
     }
 

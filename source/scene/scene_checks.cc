@@ -70,15 +70,6 @@ namespace ThermoContact
 
 
 
-    /** The name of a scheme that is the paper's. */
-    const std::string &
-    scheme_of_paper()
-    {
-      return find_scheme([](const Scheme &s) { return s.is_of_paper; })->name;
-    }
-
-
-
     /** Section Contact. */
     void
     check_contact(const Scene &scene)
@@ -417,7 +408,10 @@ namespace ThermoContact
       const std::string iteration = "the iteration of the paper ";
       solver.since(!scene.scheme.is_of_paper,
                    name_of_scheme(scene),
-                   iteration + "belongs to Time/Scheme = " + scheme_of_paper());
+                   iteration + "belongs to Time/Scheme = " +
+                     find_scheme([](const Scheme &s) {
+                       return s.is_of_paper;
+                     })->name);
       solver.since(scene.contact.law->is_active() &&
                      !scene.contact.law->compliance(),
                    "Contact/Condition = " + parameters.contact.condition,

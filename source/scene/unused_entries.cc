@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/scene.h>
@@ -41,7 +42,7 @@ namespace ThermoContact
       const std::string      fields = "Model/Fields = " + model.fields;
       for (const DeclaredEntry &entry : entries_of_program())
         unused.add_if(!scene.fields.has_displacement &&
-                        entry.path.rfind("Contact/", 0) == 0,
+                        begins_with(entry.path, "Contact/"),
                       {entry.path},
                       fields);
       unused.add_if(!scene.fields.has_displacement,

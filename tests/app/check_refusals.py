@@ -94,8 +94,6 @@ SCENES = [
      "Boundary/Fixed end temperature=5*sin(t)", "Boundary/Fixed end temperature=-5"),
     ("Boundary/Fixed end temperature", (), "Boundary/Fixed end temperature=x*t",
      "Boundary/Fixed end temperature=2*t"),
-    ("Boundary/Fixed end temperature", (), "Boundary/Fixed end temperature=t*rand_seed(1)",
-     "Boundary/Fixed end temperature=t*0.5"),
     ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.1*cos(t)",
      "Boundary/Fixed end displacement=0.1*cos(t)-0.1"),
     ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=1",
@@ -126,6 +124,9 @@ SCENES = [
     ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.01*sqrt(t)",
      "Boundary/Fixed end displacement=0.01*t^1.5",
      ("Boundary/Fixed end displacement=0.01*sin(2*pi*3140*t)", "Time/End time=3600")),
+    ("Boundary/Fixed end displacement", (),
+     "Boundary/Fixed end displacement=0.01*if(t>0,t*log(t),0)",
+     "Boundary/Fixed end displacement=0.01*if(t>0,t^2*log(t),0)"),
     ("Boundary/Fixed end displacement", ("Time/End time=2",),
      "Boundary/Fixed end displacement=t/(t-1.1)",
      "Boundary/Fixed end displacement=t/(t+1.1)"),
@@ -202,6 +203,10 @@ SCENES = [
     ("Contact/Gap", PLANE, "Contact/Gap=0.1/(y-1)", "Contact/Gap=0.1/(1.1-y)"),
     # an infinite velocity in the middle of the end
     ("Contact/Gap", PLANE, "Contact/Gap=1.1+sqrt(t)*(y-1)", "Contact/Gap=1.1+t*(y-1)"),
+    # or in a thirty-second at its edge
+    *[("Contact/Gap", ("Dimension=3", "Mesh/Width=1", "Mesh/Cells=1"),
+       f"Contact/Gap=1+if({place},sqrt(t),t)", f"Contact/Gap=1+if({place},2*t,t)")
+      for place in ("y<0.04", "y>0.96", "z<0.04", "z>0.96")],
     ("Contact/Gap", ("Dimension=3", "Mesh/Width=1", "Mesh/Cells=1"),
      "Contact/Gap=0.1/(z-1)", "Contact/Gap=0.1/(1.1-z)"),
     ("Contact/Gap", PLANE + RIGID, "Contact/Gap=y-0.5", "Contact/Gap=abs(y-0.5)",
@@ -212,18 +217,11 @@ SCENES = [
      "Time/Step size=0.01", "Time/Scheme=sdirk4"),
     ("Time/Step size", ("Time/Scheme=energy conserving",),
      "Time/Step size=automatic", "Time/Step size=0.01", "Time/Scheme=sdirk4"),
-    ("Time/Step size", ("Time/Scheme=sdirk2",), "Time/Step size=automatic",
-     "Time/Step size=0.01", "Time/Scheme=sdirk3"),
     ("Time/Step size", (), "Time/Step size=0", "Time/Step size=1e-6"),
-    ("Time/Step size", ("Time/End time=0",), "Time/Step size=0",
-     "Time/Step size=1e-6"),
-    ("Time/Step size", (), "Time/Step size=-0.01", "Time/Step size=0.01"),
     ("Time/Step size", ("Time/Step size=1e-3", "Output/Fields interval=0"),
      "Time/End time=1000001", "Time/End time=1000"),
     ("Time/First step size", (), "Time/First step size=0",
      "Time/First step size=1e-9"),
-    ("Time/First step size", (), "Time/First step size=-1e-3",
-     "Time/First step size=1e-3"),
     ("Time/First step size", ("Time/Minimum step size=1e-4",),
      "Time/First step size=0.99999e-4", "Time/First step size=1e-4",
      "Time/First step size=automatic"),
@@ -299,8 +297,6 @@ SCENES = [
      "Boundary/Heat exchange=1/(1e-6+gap)"),
     ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1/(pressure-0.5)^2",
      "Boundary/Heat exchange=1/(1+pressure)"),
-    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1-2",
-     "Boundary/Heat exchange=2-1"),
     ("Boundary/Heat exchange", (), "Boundary/Heat exchange=gap*x",
      "Boundary/Heat exchange=gap*pi"),
     ("Boundary/Heat exchange", (), "Boundary/Heat exchange=gap; pressure",
@@ -324,8 +320,6 @@ SCENES = [
      "Output/Probes=0.5, 0.3", "Output/Probes=1, 0.3"),
     ("Output/Probes", NARROW, "Output/Probes=0.5, -1e-9",
      "Output/Probes=0.5, 0"),
-    ("Output/Probes", NARROW, "Output/Probes=1.0000001, 0.1",
-     "Output/Probes=1, 0.1"),
     ("Output/Probes", (), "Output/Probes=0.5 m", "Output/Probes=0.5"),
     ("Output/Probes", (), "Output/Probes=0.5;", "Output/Probes=0.5"),
 
@@ -344,8 +338,6 @@ SCENES = [
     ("Sources/Heat source", (), "Sources/Heat source=x*y", "Sources/Heat source=x*t"),
     ("Initial values/Velocity", (), "Initial values/Velocity=x*t",
      "Initial values/Velocity=x*pi"),
-    ("Initial values/Velocity", (), "Initial values/Velocity=1/x",
-     "Initial values/Velocity=x/(1+x)"),
     ("Initial values/Velocity", (), "Initial values/Velocity=x; x",
      "Initial values/Velocity=x"),
     ("Initial values/Velocity", PLANE, "Initial values/Velocity=x; 0; 0",
@@ -404,11 +396,11 @@ def begins_with(message, entry):
 
 
 def has_value(message, scene, entry):
-    """Numbers and words are told as they were given."""
+    """Numbers and words are told as they were given, and not as what is allowed."""
     given = next((o.partition("=")[2] for o in reversed(scene) if o.startswith(entry + "=")), "")
     told = re.match(rf"{re.escape(entry)} = (.*)$", message, re.MULTILINE)
     if not told or re.fullmatch("[a-z ]+", given):
-        return not told or told[1].startswith(given)
+        return not told or told[1].startswith(given) and f"allowed: {told[1]}," not in message
     numbers = [re.fullmatch(r"[-+]?[.\d]+(e-?\d+)?", text) for text in (given, told[1])]
     return not all(numbers) or float(numbers[0][0]) == float(numbers[1][0])
 
@@ -422,7 +414,7 @@ def main():
     # 1e10 steps are terabytes: a refusal of the run, which names no entry first
     answers = check_all([scene for _, scene, _ in asked] + [TOO_LARGE])
     Path("defaults.prm").write_text("# defaults\n")
-    forced = run("--check", "--force", *settings(TOO_LARGE), "defaults.prm")[0]
+    forced = run("--check", *settings(TOO_LARGE), "defaults.prm", "--force")[0]
     if answers[TOO_LARGE][0] != 2 or forced != 0:
         print("a run of terabytes:", answers[TOO_LARGE], "forced", forced)
     faults = []

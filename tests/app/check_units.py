@@ -48,22 +48,25 @@ def write(name, entries, column):
     Path(name).write_text("".join(lines), encoding="utf-8")
 
 
+def entries_of(text):
+    """By path, the values and what is remarked behind them."""
+    section, values = "", {}
+    for line in text.splitlines():
+        if match := re.match(r"subsection (.*)", line):
+            section = match[1] + "/"
+        elif line == "end":
+            section = ""
+        elif match := re.match(r" *(?:# )?set (.*?) = (.*?)(?: # (.*))?$", line):
+            values[section + match[1]] = match[2], match[3] or ""
+    return values
+
+
 def scene_of(name, *overrides):
     """By path, the values that --units prints, without remarks."""
     status, text, message = run("--units", *settings(overrides), name)
     if status != 0:
         faults.append(f"{name}: {message}")
-    section, values = "", {}
-    for line in text.splitlines():
-        line = line.partition(" # ")[0]
-        if match := re.match(r"subsection (.*)", line):
-            section = match[1] + "/"
-        elif line == "end":
-            section = ""
-        elif match := re.match(r" *set (.*?) = (.*)", line):
-            values[section + match[1]] = match[2]
-    Path(name + ".scene").write_text(text, encoding="utf-8")
-    return values
+    return {path: value for path, (value, _) in entries_of(text).items()}
 
 
 def check_scene(name, entries, expected):
@@ -137,7 +140,8 @@ def check_quantities():
                               "Time/End time": ("1e-3", "1 ms")},
                 {"Contact/Compliance": (E * A / 1e10)**(1 / 1.5) / L,
                  "Model/Viscosity": ETA / (E * wave), "Scales/Time": wave,
-                 "Time/End time": 1e-3 / wave})
+                 "Time/End time": 1e-3 / wave,
+                 "Output/Fields interval": float(f"{1e-3 / wave / 20:.6g}")})
 
 
 def check_expressions():
@@ -150,8 +154,7 @@ def check_expressions():
         "Contact/Gap": ["5e-5 + 1e-6*t/3600"], "Contact/Stiffness": ["1e9"],
         "Initial values/Temperature": ["theta_A + 2*x/0.3"],
         "Initial values/Velocity": ["1e-9*x"], "Time/End time": ["1e3"],
-        "Sources/Body force": ["1e3*x*exp(-1e-3*t)"], "Rod/Small terms": ["dropped"],
-        **{f"Rod/{key}": pair for key, pair in ROD.items() if key != "Small terms"}}, 0)
+        "Sources/Body force": ["1e3*x*exp(-1e-3*t)"], "Rod/Small terms": ["dropped"]}, 0)
     found = scene_of("drives.prm", "Rod/Small terms=kept")
     names = {**vars(math), "exchange": lambda is_so, a, b: a if is_so else b}
     for path, variables, by_hand in (
@@ -171,10 +174,68 @@ def check_expressions():
         check(path, eval(text, names, variables), by_hand, 1e-12)
 
 
+def check_missing():
+    """What has no default in SI units, by the fields, the law and the dimension."""
+    Path("length.prm").write_text("subsection Rod\n  set Length = 1\nend\n", encoding="utf-8")
+    rod, contact = ["Cross-section area", "Density"], ["Contact/Gap", "Contact/Stiffness"]
+    hot = ["Conductivity", "Heat capacity", "Reference temperature"]
+    ends = ["Boundary/Fixed end temperature", "Boundary/Heat exchange"]
+    for names, *overrides in (
+            (rod + ["Young's modulus"] + hot + ["Linear expansion"] + ends + contact,),
+            (rod + hot + ends, "Model/Fields=temperature"),
+            (rod + ["Young's modulus"] + contact, "Model/Fields=displacement"),
+            (rod + ["Young's modulus", "Poisson ratio"] + contact, "Model/Fields=displacement",
+             "Rod/Lateral sides=confined"),
+            (rod + ["Young's modulus", "Poisson ratio"] + contact[:1] + ["Mesh/Width"],
+             "Model/Fields=displacement", "Contact/Condition=rigid", "Dimension=2"),
+            (rod + ["Young's modulus"], "Model/Fields=displacement", "Contact/Condition=none")):
+        names = [name if "/" in name else f"Rod/{name}" for name in names] + ["Time/End time"]
+        message = run("--units", *settings(overrides), "length.prm")[2]
+        told = re.findall(r"^(.*) is not given\n  allowed: .+\n  meaning: .+\n  remedy:  give it: a "
+                          "scene in SI units has no default of it$", message, re.M)
+        if told != names or not message.startswith(f"{len(names)} faults\n"):
+            faults.append(f"{overrides}: not given are {names}, {message}")
+
+
+def check_choices():
+    """Small terms, dropped in runs of more than 1e5 of their times without a motion that is
+    given; units of time that are given or make numbers of ten or more."""
+    wave, relaxing = L * math.sqrt(RHO / E), ETA / E
+    write("choices.prm", {
+        "Boundary/Fixed end temperature": ["350"], "Boundary/Heat exchange": ["70"],
+        "Contact/Gap": ["3e-4"], "Contact/Stiffness": ["3e7"], "Time/End time": ["1"],
+        "Rod/Small terms": ["automatic"]}, 0)
+    long = f"Time/End time={1e9 * wave}"
+    for path, value, *overrides in (
+            ("Model/Inertia", "kept", f"Time/End time={0.99e5 * wave}"),
+            ("Model/Inertia", "0", f"Time/End time={1.01e5 * wave}"),
+            ("Model/Viscosity", "kept", f"Time/End time={0.99e5 * relaxing}"),
+            ("Model/Viscosity", "0", f"Time/End time={1.01e5 * relaxing}"),
+            ("Model/Inertia", "kept", long, "Initial values/Velocity=1e-9*x"),
+            ("Model/Inertia", "kept", long, "Contact/Rear gap=1"),
+            ("Model/Inertia", "kept", long, "Boundary/Fixed end displacement=1e-9*t"),
+            ("Model/Inertia", "0", long, "Contact/Rear gap=none"),
+            ("Model/Inertia", "0", long, "Boundary/Fixed end displacement=0"),
+            ("Scales/Time unit", "s", "Time/End time=10.1"),
+            ("Scales/Time unit", "ms", "Time/End time=9.9"),
+            ("Scales/Time unit", "ms", "Time/End time=1.01e-5"),
+            ("Scales/Time unit", "us", "Time/End time=9.9e-6"),
+            ("Scales/Time unit", "h", "Time/End time=0.1 h"),
+            ("Scales/Time unit", "s", "Time/End time=2 weeks"),
+            ("Scales/Temperature unit", "K", "Rod/Reference temperature=300 K"),
+            ("Scales/Temperature unit", "C", "Rod/Reference temperature=27 degC")):
+        default = "K" if "Temp" in path else "s"
+        found = scene_of("choices.prm", *overrides).get(path, default)
+        if found == "0" if value == "kept" else found != value:
+            faults.append(f"{path} is {found} with {overrides}")
+
+
 def check_twins():
-    """The printed scene, and used.prm, run as the file does."""
+    """The printed scene, and used.prm, run as the file does; each has the values of the
+    other, which are given, as remarks, and used.prm as remarks those that are not."""
     file = PRM / "thermal-switch.prm"
-    Path("switch.prm").write_text(run("--units", file)[1], encoding="utf-8")
+    scene = run("--units", file)[1]
+    Path("switch.prm").write_text(scene, encoding="utf-8")
     tables = []
     for name, path in (("si", file), ("scene", "switch.prm"), ("used", "si/used.prm")):
         status, _, message = run("--output", name, path)
@@ -183,6 +244,10 @@ def check_twins():
         tables.append(Path(name, "contact.csv").read_bytes())
     if tables[0] != tables[1] or tables[0] != tables[2]:
         faults.append("a scene without units, or used.prm, is another one")
+    used = entries_of(Path("si/used.prm").read_text(encoding="utf-8"))
+    for path, (value, given) in entries_of(scene).items():
+        if used.get(path) != ((given, value) if given else (value, "")):
+            faults.append(f"{path} = {value} # {given} is {used.get(path)} in used.prm")
 
 
 def results(name, *overrides):
@@ -254,24 +319,14 @@ def check_other_rods():
 
 
 def check_doubts():
-    """Numbers without a unit that hardly are in SI base units; one with its unit is."""
-    doubts = {"Rod/Young's modulus=210": "GPa", "Rod/Density=7.85": "g/cm^3",
-              "Rod/Heat capacity=0.44": "kJ/(kg K)", "Rod/Linear expansion=12e-3": "um/(m K)",
-              "Rod/Length=1000": "mm", "Rod/Reference temperature=20": "degC",
-              "Contact/Gap=30": "um", "Rod/Cross-section area=100": "mm^2"}
-    for setting, unit in doubts.items():
-        path, _, number = setting.partition("=")
-        base = {"GPa": "Pa", "g/cm^3": "kg/m^3", "kJ/(kg K)": "J/(kg K)", "um/(m K)": "1/K",
-                "mm": "m", "degC": "K", "um": "m", "mm^2": "m^2"}[unit]
-        for text, is_doubted in ((number, True), (f"{number} {base}", False)):
-            status, screen, message = run("--check", "--output", "doubts", *settings(
-                [f"{path}={text}"]), PRM / "steel-rod.prm")
-            if status != 0 or (f"doubt     {path} = {number}: is that in {base}, or {number} "
-                               f"{unit}?" in screen) != is_doubted:
-                faults.append(f"{path} = {text}: {screen}{message}")
+    """A number that hardly is in SI base units."""
+    screen = run("--check", "--output", "doubts", "--set", "Rod/Density=7.85",
+                 PRM / "steel-rod.prm")[1]
+    if "doubt     Rod/Density = 7.85: is that in kg/m^3, or 7.85 g/cm^3?" not in screen:
+        faults.append(f"no doubt of a density of 7.85: {screen}")
 
 
-for checks in (check_quantities, check_expressions, check_twins, check_heads, check_other_rods,
-               check_doubts):
+for checks in (check_quantities, check_expressions, check_missing, check_choices, check_twins,
+               check_heads, check_other_rods, check_doubts):
     checks()
 print("\n".join(faults) or "as by hand")

@@ -617,15 +617,31 @@ def check_names(run):
     for table in run.tables.values():
         if table.comments[0] != s["Title"] or version not in table.comments[1]:
             yield "the head of a table"
-    for name, is_there in {
-            "heat conduction": scene.has_heat, "elasticity": scene.moves,
-            "inertia": scene.moves and scene.b > 0, "thermal stress": scene.a != 0,
-            "viscosity": scene.moves and scene.zeta > 0,
-            "rigid contact": scene.condition == "rigid",
-            "two stops": scene.has_obstacle and scene.rear_gap < math.inf,
-            "body force": scene.moves and s["Sources/Body force"] != "0"}.items():
-        if (name in terms) != bool(is_there):
-            yield f"terms: {name}"
+    exchange, outer = s.get("Boundary/Heat exchange", "0"), s.get("Boundary/Obstacle temperature", "0")
+    gap, has_inertia = s.get("Contact/Gap", "0"), scene.moves and scene.b > 0
+    acts = [name.lower() for name in ("Heat source", "Body force", "End traction", "End heat flux")
+            if s.get(f"Sources/{name}", "0") != "0"]
+    expected = [name for name, is_there in {
+        "heat conduction": scene.has_heat,
+        "heat exchange": scene.has_states or float(exchange) > 0,
+        "lateral heat exchange": s.number("Boundary/Lateral heat exchange") > 0,
+        "inertia": has_inertia, "elasticity": scene.moves,
+        "viscosity": scene.moves and scene.zeta > 0, "thermal stress": scene.a != 0,
+        "thermoelastic heating": scene.a and s["Model/Thermoelastic heating"] == "true",
+        "rigid contact": scene.condition == "rigid",
+        scene.condition: scene.condition not in ("rigid", "none"),
+        "damped contact": scene.has_obstacle and scene.c > 0,
+        "two stops": scene.has_obstacle and scene.rear_gap < math.inf,
+        "massless contact nodes": "massless contact nodes" in terms,
+        "lumped mass": s.get("Mesh/Mass matrix") == "lumped" and (scene.has_heat or has_inertia),
+        "midpoint mass": s.get("Mesh/Mass matrix") == "midpoint" and has_inertia,
+        **dict.fromkeys(acts, True),
+        "varying temperature of the obstacle": "t" in outer and not scene.has_states,
+        "varying temperature of the fixed end": "t" in scene.drive,
+        "moving fixed end": s.get("Boundary/Fixed end displacement", "0") != "0",
+        "moving obstacle": scene.has_obstacle and "t" in gap}.items() if is_there]
+    if terms != expected:
+        yield f"terms {terms}, not {expected}"
     if scene.has_obstacle and s.get("Contact/Massless nodes") == "automatic" and s.get(
             "Mesh/Mass matrix") != "midpoint" and ", start of the paper" not in run.log:
         n, degree = int(s["Mesh/Cells"]), int(s["Mesh/Degree"])

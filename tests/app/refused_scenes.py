@@ -72,22 +72,26 @@ def arguments(text):
 
 
 def unmet_refusals(messages):
-    """The calls of refuse...() and the throw InputError(...) in the sources that
-    no message comes from: all literals of one message, or, of an argument that
-    chooses, of those messages together."""
+    """The calls of refuse...() and since(), the throw InputError(...) and the Refusals in
+    the sources that no message comes from: all literals in one message, those of the first
+    two and the last in their order, or, of an argument that chooses, in those together."""
     unmet = []
     for path in source_files():
         text = without_comments(path)
-        for call in re.finditer(r"\b(?:refuse\w*|throw InputError)\s*\(", text):
+        for call in re.finditer(r"\b(?:refuse\w*|since|throw InputError)\s*\(|"
+                                r"\bRefusal( +\w+)?{", text):
             begin = call.end() - 1
             found = arguments(text[begin:closing(text, begin)])
+            if call[0] == "since(":  # its condition is no part of the message
+                del found[0]
             fixed = [w for words, chooses in found if not chooses for w in words]
             chosen = [w for words, chooses in found if chooses for w in words
                       if " " in w]
             if not fixed + chosen:
                 continue  # a declaration, or one that passes on others' words
             those = [message for message in messages
-                     if all(word in message for word in fixed)]
+                     if (all(word in message for word in fixed) if call[0][0] == "t" else
+                         re.search(".*".join(map(re.escape, fixed)), message, re.S))]
             missing = [word for word in chosen
                        if not any(word in message for message in those)]
             if not those or missing:

@@ -11,12 +11,7 @@
 //    functions lose digits near 0 and 1 and are compared elsewhere). Conditions
 //    are 0 or 1, or 0.6: FunctionParser rounds some of them, here all but 0 is
 //    true, so that if(0.4,t,5) is t.
-// 3. The column of a fault, from 0, by hand; a tab is shown as <U+0009>, seven
-//    letters more. Names that are nearly right are answered with the right one.
-// 4. Derivatives, by hand: t^3 at 2: 8, 12, 12; if(t<1,sin(2*t),5) at 0.5:
-//    sin 1, 2 cos 1, -4 sin 1, at 3: 5, 0, 0; a^t with a = 3 at 0: 1, log 3,
-//    (log 3)^2.
-// 5. In other variables, 2 x' for x and t'/2 for t: each name of a variable is
+// 3. In other variables, 2 x' for x and t'/2 for t: each name of a variable is
 //    another text, at x' = 1, t' = 3 of 3 x + t the value 6 + 1.5. Names of
 //    functions, files and columns stay, and the e of 1e3 is no name.
 
@@ -175,7 +170,7 @@ namespace
                                    "floor(5*x)-ceil(5*t)",
                                    "min(x,t,0.3)+max(x,t)",
                                    "sum(x,t,1)*avg(x,2,t)",
-                                   "pi*x+omega",
+                                   "pi*x+_e*omega",
                                    "1e-3*x+.5*t+2.",
                                    "+x*-t",
                                    "exp(-((t-0.4)/0.5)^2)",
@@ -200,41 +195,6 @@ namespace
       }
     deallog << n_values << " values, to 4 units in the last place "
             << (worst <= 4.) << std::endl;
-  }
-
-
-
-  /** The column of the caret. */
-  void
-  test_place(const std::string &text)
-  {
-    const std::string message = fault_of(text);
-    const auto        caret   = message.find('^');
-    const auto        line    = message.rfind('\n', caret);
-    deallog << '[' << text << ']';
-    if (caret == std::string::npos)
-      deallog << " no place" << std::endl;
-    else
-      deallog << " column "
-              << caret - line - 1 - std::string("  here:    ").size()
-              << (message.find("did you mean") == std::string::npos ?
-                    "" :
-                    ", " + message.substr(message.find("did you mean"),
-                                          message.find('?') -
-                                            message.find("did you mean")))
-              << std::endl;
-  }
-
-
-
-  void
-  test_derivatives(const std::string &text, const double time)
-  {
-    const Expression expression("Sources/Heat source", text, names);
-    const NumberJet  variables[] = {NumberJet(3.), NumberJet(time, 1., 0.)};
-    const NumberJet  jet         = expression.evaluate(variables);
-    deallog << text << ": " << jet.value << ' ' << jet.first << ' '
-            << jet.second << std::endl;
   }
 
 
@@ -265,19 +225,6 @@ main_expression()
   initlog();
   test_names();
   test_values();
-  test_place("x + y");
-  test_place("sin   (x) + foo*2");
-  test_place("exp \t(sin  (x)) + 2*exp (y)");
-  test_place("x +");
-  test_place("(x + 1");
-  test_place("pow(x)");
-  test_place("2*sin(omga*t)");
-  test_place("x + sn(t)");
-  test_derivatives("t^3", 2.);
-  test_derivatives("if(t<1,sin(2*t),5)", 0.5);
-  test_derivatives("if(t<1,sin(2*t),5)", 3.);
-  test_derivatives("x^t", 0.);
-  test_derivatives("if(0.4,t,5)", 2.);
   test_other_variables();
   const auto is_first = [](const std::string &text) {
     return Expression("here", "sin(t)+2*x", names) ==

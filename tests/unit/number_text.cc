@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -71,29 +72,36 @@ namespace
   {
     const double inf = std::numeric_limits<double>::infinity();
     const auto all = [](const double x) { return significant(x, all_digits); };
-    const auto two = [](const double x) {
-      return significant(round_to_digits(x, 2), 12);
-    };
-    compare({{all(0.1), "0.1"},
-             {all(-0.5), "-0.5"},
-             {all(-0.), "-0"},
-             {all(1e22), "1e+22"},
-             {all(std::numeric_limits<double>::denorm_min()), "5e-324"},
-             {all(inf), "inf"},
-             {all(-inf), "-inf"},
-             {all(std::nan("")), "nan"},
-             {text(1. / 3., ' ', 123456789., ' ', 7u, "x"),
-              "0.333333 1.23457e+08 7x"},
-             {fixed_point(2.5, 0), "2"},
-             {fixed_point(99.96, 1), "100.0"},
-             {two(1249.), "1200"},
-             {two(0.0996), "0.1"},
-             {two(-1.26e-7), "-1.3e-07"},
-             {two(inf), "inf"},
-             {align_left("ab", 4), "ab  "},
-             {align_left("abc", 2), "abc"},
-             {align_right("ab", 4), "  ab"},
-             {align_right("7", 2, '0'), "07"}});
+    compare(
+      {{all(0.1), "0.1"},
+       {all(-0.5), "-0.5"},
+       {all(-0.), "-0"},
+       {all(1e22), "1e+22"},
+       {all(std::numeric_limits<double>::denorm_min()), "5e-324"},
+       {all(inf), "inf"},
+       {all(-inf), "-inf"},
+       {all(std::nan("")), "nan"},
+       {text(1. / 3., ' ', 123456789., ' ', 7u, "x"),
+        "0.333333 1.23457e+08 7x"},
+       {fixed_point(2.5, 0), "2"},
+       {fixed_point(99.96, 1), "100.0"},
+       {about(1249.), "1200"},
+       {about(0.0996), "0.1"},
+       {about(-1.26e-7), "-1.3e-07"},
+       {about(inf), "inf"},
+       {gigabytes(2.34e9), "2.3 GB"},
+       {clock_time(59.4), "0:59"},
+       {clock_time(3599.4), "59:59"},
+       {clock_time(3599.5), "1:00:00"},
+       {clock_time(7384.), "2:03:04"},
+       {clock_time(3.6e6 - 1.), "999:59:59"},
+       {clock_time(3.6e6), "1000 h or more"},
+       {join_words({"a", "", "b c"}), "a, b c"},
+       {text(int(begins_with("+1", "+")), int(begins_with("1+", "+"))), "10"},
+       {align_left("ab", 4), "ab  "},
+       {align_left("abc", 2), "abc"},
+       {align_right("ab", 4), "  ab"},
+       {align_right("7", 2, '0'), "07"}});
   }
 
 
@@ -203,7 +211,35 @@ namespace
     compare({{table,
               "number,value,\"a,b\",done,words,twice\n"
               "1,0.1,0.1,1,\"say \"\"a, b\"\"\",2\n"
-              "2,0.3333333333333333,0.333,0,two lines,4\n"}});
+              "2,0.3333333333333333,0.333,0,two lines,4\n"},
+             {join_words(split_row("1,\"say \"\"a, b\"\"\",,\"\",x\"2\"\"\"")),
+              "1, say \"a, b\", x2\""},
+             {text(split_row("1,,\"\"").size()), "3"}});
+  }
+
+
+
+  void
+  test_files()
+  {
+    const auto fault_of = [](const std::string &path, const auto &action) {
+      WritableFile file;
+      file.open(path, path == "three");
+      action(file);
+      return file.fault().substr(0, file.fault().find('\n'));
+    };
+    compare({{fault_of("three",
+                       [](WritableFile &file) {
+                         file.write("abc", 0);
+                         file.cut(3);
+                         errno = EINVAL;
+                         file.cut(4);
+                       }),
+              "three: is shorter than the checkpoint says"},
+             {fault_of("/dev/null", [](WritableFile &file) { file.cut(0); }),
+              "/dev/null: cannot be cut back: Invalid argument"},
+             {fault_of("/dev/null", [](WritableFile &file) { file.sync(); }),
+              "/dev/null: cannot be written to the disk: Invalid argument"}});
   }
 
 
@@ -252,5 +288,6 @@ main_number_text()
   test_reading();
   test_random_numbers();
   test_columns();
+  test_files();
   test_allocations();
 }

@@ -37,12 +37,13 @@ namespace
 
   void
   print_fault(const std::string &rows,
-              const std::string &text = "table(bad.csv, t)")
+              const std::string &text      = "table(bad.csv, t)",
+              const bool         has_units = false)
   {
     std::ofstream("bad.csv") << rows;
     try
       {
-        read(text);
+        read(text, has_units);
         deallog << text << ": read" << std::endl;
       }
     catch (const InputError &error)
@@ -91,6 +92,7 @@ main_table()
 
   print_fault("0,1\n1,2\n");
   print_fault("t [ms],f\n0,1\n1,2\n");
+  print_fault("t [ms],f [m^2]\n0,1\n1,2\n", "table(bad.csv, t)", true);
   print_fault("time,force\n0,1\n1,2\n", "table(bad.csv, forse, t)");
   print_fault("t;f\n0;1\n1;2\n");
   print_fault("t,f\n0,1\n1\n");

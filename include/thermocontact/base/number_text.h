@@ -4,6 +4,7 @@
 #define thermocontact_base_number_text_h
 
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,7 +35,7 @@ namespace ThermoContact
   append_number(std::string &line, const Integer value)
   {
     char       digits[24];
-    const auto end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
+    const auto end = std::to_chars(digits, std::end(digits), value).ptr;
     line.append(digits, end);
   }
 

@@ -6,6 +6,7 @@
 #include <thermocontact/base/number_text.h>
 
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -32,6 +33,12 @@ namespace ThermoContact
     };
     (append(parts), ...);
     return line;
+  }
+
+  inline bool
+  begins_with(const std::string_view text, const std::string_view start)
+  {
+    return text.substr(0, start.size()) == start;
   }
 
   /** @p words with blanks behind them, so that there are @p width letters. */

@@ -134,7 +134,7 @@ namespace ThermoContact
    * @throw InputError
    */
   void
-  refuse_units(const std::vector<Assignment> &assignments);
+  refuse_units(const Assignment &assignment);
 
   /**
    * Gives @p entries, whose values are those of the scene, the values that a
