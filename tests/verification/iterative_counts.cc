@@ -46,8 +46,8 @@ namespace
 
 
 
-  /** Krylov iterations of a step of a cube without contact, and whether they are
-      more than 14. */
+  /** Krylov iterations of a step of a cube without contact, and whether they
+     are more than 14. */
   template <int dim>
   std::string
   iterations(const unsigned int degree,
@@ -55,8 +55,8 @@ namespace
              const double       tau,
              const Overrides   &overrides)
   {
-    const std::string n = std::to_string(cells);
-    const Overrides   cube{"Dimension=" + std::to_string(dim),
+    const std::string  n = std::to_string(cells);
+    const Overrides    cube{"Dimension=" + std::to_string(dim),
                          "Mesh/Width=1",
                          "Mesh/Degree=" + std::to_string(degree),
                          "Mesh/Cells=" + n,
