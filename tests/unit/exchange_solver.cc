@@ -309,7 +309,7 @@ namespace
         std::vector<bool> is_held(n, mode == ContactMode::closed);
         for (unsigned int i = 1; i < n && holds_second_nodes; i += 2)
           is_held[i] = true;
-        for (unsigned int i = 0; i < 300; ++i)
+        for (unsigned int i = 0; i < 100; ++i)
           {
             const auto law = make_law(i % 3 == 0 ? 0. : 0.1 * (i % 7 + 1));
             const EndResponse response = random_response(n, random);
