@@ -154,7 +154,7 @@ namespace ThermoContact
           break;
       }
     rates.failure =
-      describe_failure(tau, rates.n_iterations, change / last_change);
+      describe_failure(tau, rates.n_iterations, change, last_change);
   }
 
 
@@ -207,19 +207,19 @@ namespace ThermoContact
   std::string
   FixedPointSolver<dim>::describe_failure(const double       tau,
                                           const unsigned int n_iterations,
-                                          const double       observed_factor)
+                                          const double       change,
+                                          const double       last_change)
   {
     const double       rho = contraction_factor(tau);
     std::ostringstream message;
     message << "the fixed point iteration "
-            << (std::isfinite(observed_factor) ? "did not converge" :
-                                                 "diverged")
+            << (std::isfinite(change) ? "did not converge" : "diverged")
             << " in " << n_iterations << " iterations";
     if (body.law().is_active())
       message << "\n  contraction factor rho = " << rho
               << " of the contact (chi / epsilon; it must be below 1)";
-    if (std::isfinite(observed_factor))
-      message << "\n  the last change was " << observed_factor
+    if (const double factor = change / last_change; std::isfinite(factor))
+      message << "\n  the last change was " << factor
               << " times the one before";
     message << "\n  remedy:  ";
     if (rho >= 1.)

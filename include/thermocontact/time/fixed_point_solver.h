@@ -75,10 +75,9 @@ namespace ThermoContact
 
     /**
      * The contraction factor (D7.2) of the contact part in the present stage,
-     * of
-     * length @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue of the
-     * response of the momentum matrix to contact pressures; 0 without an
-     * obstacle.
+     * of length @p tau: $\chi/\varepsilon$ with $\chi$ the largest eigenvalue
+     * of the response of the momentum matrix to contact pressures; 0 without
+     * an obstacle.
      */
     double
     contraction_factor(const double tau);
@@ -86,7 +85,8 @@ namespace ThermoContact
     std::string
     describe_failure(const double       tau,
                      const unsigned int n_iterations,
-                     const double       observed_factor);
+                     const double       change,
+                     const double       last_change);
   };
 
 
