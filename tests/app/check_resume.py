@@ -43,12 +43,12 @@ class Run:
         self.launcher = [] if ranks == 1 else [
             "mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks)]
 
-    def words(self):
+    def words(self, *options):
         resume = ["--resume"] * (self.directory / "checkpoint.bin").exists()
-        return "--quiet", "--output", str(self.directory), *resume, str(self.prm)
+        return "--quiet", "--output", str(self.directory), *resume, *options, str(self.prm)
 
-    def start(self, **settings):
-        return subprocess.Popen([*self.launcher, PROGRAM, *self.words()],
+    def start(self, *options, **settings):
+        return subprocess.Popen([*self.launcher, PROGRAM, *self.words(*options)],
                                 stderr=subprocess.PIPE, text=True, start_new_session=True,
                                 **settings)
 
@@ -63,10 +63,10 @@ class Run:
 
     def finish(self, *options, **limits):
         if self.launcher:
-            process = self.start()
+            process = self.start(*options)
             message = process.communicate()[1]
             return process.returncode, message
-        status, _, message = program.run(*self.words(), *options, **limits)
+        status, _, message = program.run(*self.words(*options), **limits)
         return status, message
 
     def step(self):

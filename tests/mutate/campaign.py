@@ -315,13 +315,6 @@ def tests_of(tree, costs, regex):
     return sorted(tests, key=lambda test: (costs.get(test.name, 0), test.name))
 
 
-def targets_of(tests):
-    """What has to be built for the tests."""
-    programs = {match[1] for test in tests for command in test.commands
-                for word in command if (match := re.search(r"/tests/\w+/(\w+_tests)$", word))}
-    return sorted(programs)
-
-
 class Journal:
     """What a campaign has found, line by line, so that one that was stopped goes
     on: its faults, the faults that each test reaches, who noticed what."""
@@ -447,10 +440,11 @@ def run(top, options):
         print(f"faults, drawn by {options.seed}:", flush=True)
         for number, fault in draw(Parser(copy, tree), top, copy, options).items():
             journal.write("fault", number, fault)
-    tests = tests_of(tree, journal.costs, options.tests)
-    print(f"noticed by, of {len(tests)} tests, after building {tree}:", flush=True)
     build(copy, tree, texts, journal, options.jobs, [
-        "thermocontact", "thermocontact_test_driver", *targets_of(tests)])
+        "thermocontact", "thermocontact_test_driver", "thermocontact_forks",
+        "unit_tests", "verification_tests"])
+    tests = tests_of(tree, journal.costs, options.tests)
+    print(f"noticed by, of {len(tests)} tests:", flush=True)
     try_faults(journal.faults, tests, journal, options)
     return report(journal.faults, journal)
 
