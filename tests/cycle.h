@@ -35,7 +35,7 @@ namespace ThermoContact
    * A V-cycle in double precision is symmetric to 1e-10, positive and leaves
    * less than half of an error, and one in single precision is the same to
    * 1e-4, in words behind each other; of zero it makes zero. What is left is
-   * told with all digits that machines agree on: whatever makes a smoother, a
+   * told to two digits, as it was measured: whatever makes a smoother, a
    * transfer or a coarser level another one shows.
    *
    * @param rows null: without contact
@@ -78,7 +78,7 @@ namespace ThermoContact
     const double remains = std::sqrt((smoothed * left) / (z[0] * r[0]));
     deallog << " asymmetry " << within(defect, 1e-10) << ", positive "
             << (z[0] * r[0] > 0. && z[1] * r[1] > 0.) << ", leaves "
-            << significant(remains, few_digits)
+            << significant(remains, 2)
             << (remains <= 0.5 ? "" : " exceeds 1/2");
 
     StageMultigrid<dim, float> rounded(rounded_levels, field, tau);

@@ -51,6 +51,7 @@ namespace ThermoContact
 
   SignalWatch::SignalWatch()
   {
+    last_signal = 0;
     set_action(note_signal);
   }
 

@@ -286,7 +286,8 @@ namespace ThermoContact
   {
     if (!pending.empty())
       {
-        drop_event();
+        pending.clear();
+        leave_to_law();
         return false;
       }
     const bool begins = mode_ == ContactMode::open;

@@ -76,13 +76,13 @@ namespace ThermoContact
                              const std::vector<NodeLaw> &laws,
                              const std::vector<double>  &free,
                              Iterate                    &nodes,
-                             const bool                  one_by_one)
+                             const bool                  is_sweep)
   {
     nodes.pressure.resize(laws.size());
     nodes.slope.resize(laws.size());
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
-        if (one_by_one)
+        if (is_sweep)
           nodes.z[i] = free[i] - loss_by_others(receptance, nodes.pressure, i);
         const NodalPressure p = laws[i].resolve(nodes.z[i], receptance(i, i));
         nodes.pressure[i]     = p.pressure;

@@ -151,7 +151,7 @@ namespace ThermoContact
     if (!compliance || *compliance >= 1. || !scene.material.has_inertia() ||
         scene.parameters.dimension > 1)
       return {};
-    // chi grows from 0 to 1 with the length of the stage
+    // chi grows from 0 to 1 with the length of the stage, here in 200 decades
     const auto excess = [&](const double log_tau) {
       return rod_response(scene.material, std::exp(log_tau)) - *compliance;
     };

@@ -226,18 +226,19 @@ namespace ThermoContact
     {
       std::ifstream    stream     = open_file(path);
       Checkpoint       checkpoint = read_head(stream);
+      const PartPlace &first      = checkpoint.parts.at(0);
       const PartPlace &last       = checkpoint.parts.back();
       stream.seekg(0, std::ios::end);
       bool is_good =
         static_cast<std::uint64_t>(stream.tellg()) == last.begin + last.size &&
-        is_whole(checkpoint.parts[0], stream);
+        is_whole(first, stream);
       for (std::size_t i = 1 + this_rank; i < checkpoint.parts.size();
            i += n_ranks)
         is_good = is_good && is_whole(checkpoint.parts[i], stream);
       if (!is_good)
         throw std::runtime_error(damage);
       checkpoint.path     = path;
-      checkpoint.progress = read_part(checkpoint.parts[0], stream);
+      checkpoint.progress = read_part(first, stream);
       return checkpoint;
     }
   } // namespace

@@ -89,6 +89,7 @@ namespace ThermoContact
       }
     if (is_writer)
       open_tables(simulation);
+    flush();
     if (progress)
       restore(*progress, simulation);
   }

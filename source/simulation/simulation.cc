@@ -227,7 +227,7 @@ namespace ThermoContact
                               error_norm.mechanical_energy(result.energy));
     });
     if (!result.failure.empty())
-      give_up(time_step, result.failure); // shorter steps begin like this one
+      give_up(time_step, result.failure); // an event of shorter steps as well
     if (verdict.kind == ContactVerdict::to_time)
       controller.aim_at(verdict.time);
     return verdict.kind == ContactVerdict::accept ? "" : "contact";

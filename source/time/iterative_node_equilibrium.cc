@@ -36,7 +36,7 @@ namespace ThermoContact
   IterativeNodeEquilibrium<dim>::spring(const unsigned int node) const
   {
     return is_held(node) ? 0. :
-                           body.contact_end().nodes()[node].weight /
+                           body.contact_end().all_nodes()[node].weight /
                              tangents[node].compliance;
   }
 

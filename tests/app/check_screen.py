@@ -57,7 +57,7 @@ def tenths(text):
 
 def as_tabled(lines):
     """Whether the force or gap of each live line is that of its row of contact.csv, and steps
-    per second times the seconds left, from 3 on, are the steps left."""
+    per second times the seconds left are the steps left, but for those of a second."""
     with open(directory / "contact.csv", encoding="utf-8") as file:
         rows = {f"{float(row['time']):g}": row for row in
                 csv.DictReader(line for line in file if not line.startswith("#"))}
@@ -65,7 +65,8 @@ def as_tabled(lines):
         time, name, value, speed, minutes, seconds = re.search(
             r" t (\S+) .* (force|gap) +(\S+) +(\S+) steps/s +(\d+):(\d+) left", line).groups()
         left = 60 * int(minutes) + int(seconds)
-        if left >= 3 and not 0.8 < float(speed) * left / (1e4 - 1e3 * float(time)) < 1.25:
+        steps = 1e4 - 1e3 * float(time)
+        if abs(float(speed) * left - steps) > 0.25 * steps + float(speed):
             return line
         row = rows[time]
         if (name == "force") != (row["in_contact"] == "1") or value != (

@@ -10,7 +10,7 @@
 //    place, at 1000 points of 40 expressions (muParser's inverse hyperbolic
 //    functions lose digits near 0 and 1 and are compared elsewhere). Conditions
 //    are 0 or 1, or 0.6: FunctionParser rounds some of them, here all but 0 is
-//    true, so that if(0.4,t,5) is t.
+//    true.
 // 3. In other variables, 2 x' for x and t'/2 for t: each name of a variable is
 //    another text, at x' = 1, t' = 3 of 3 x + t the value 6 + 1.5. Names of
 //    functions, files and columns stay, and the e of 1e3 is no name.

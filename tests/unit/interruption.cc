@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Signals, each in a child process. The first SIGTERM, SIGINT or SIGHUP is
-// noted, the second one ends the process by itself. What the caller ignores is
-// neither, also after a library has taken it over and it is ignored again;
-// SIGQUIT is not watched.
+// noted, the second one ends the process by itself; a later watch begins anew.
+// What the caller ignores is neither, also after a library has taken it over
+// and it is ignored again; SIGQUIT is not watched.
 
 #include <thermocontact/base/interruption.h>
 
@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <optional>
 
 #include "../tests.h"
 
@@ -30,10 +31,16 @@ namespace
         std::signal(signal, SIG_DFL); // as MPI does with some
         for (const int one : ignored)
           std::signal(one, SIG_IGN);
-        const SignalWatch watch;
-        std::raise(signal);
-        if (watch.signal() != (is_ignored ? 0 : signal))
-          _exit(1);
+        std::optional<SignalWatch> watch;
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            watch.emplace();
+            if (watch->signal() != 0)
+              _exit(2);
+            std::raise(signal);
+            if (watch->signal() != (is_ignored ? 0 : signal))
+              _exit(1);
+          }
         std::raise(signal);
         _exit(0);
       }

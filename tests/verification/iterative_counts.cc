@@ -212,10 +212,16 @@ namespace
           sum += r.iterations;
           largest = std::max(largest, r.iterations);
         }
+    const unsigned int iterations = run.counters.max_linear_iterations,
+                       without    = free.counters.max_linear_iterations;
     deallog << dim << "-D, " << obstacle << ": steps " << n << ", sets " << sum
-            << ", at most " << largest << "; iterations "
-            << run.counters.max_linear_iterations << ", without "
-            << free.counters.max_linear_iterations << std::endl;
+            << ", at most " << largest << "; iterations " << iterations
+            << ", without " << without
+            << (sum <= 4 * n && largest <= 8 &&
+                    iterations <= 1.6 * without + 2. ?
+                  "" :
+                  " exceeds 4, 8 or 1.6 times + 2")
+            << std::endl;
   }
 } // namespace
 

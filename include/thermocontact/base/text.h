@@ -35,6 +35,7 @@ namespace ThermoContact
     return line;
   }
 
+  /** Whether @p text has @p start at its begin; every text begins with "". */
   inline bool
   begins_with(const std::string_view text, const std::string_view start)
   {

@@ -273,15 +273,6 @@ namespace ThermoContact
     void
     release(const ContactValues &stopped);
 
-    /** Takes back the events that are pending; the next attempt is unilateral.
-     */
-    void
-    drop_event()
-    {
-      pending.clear();
-      leave_to_law();
-    }
-
     /**
      * The next attempt is unilateral: nodes do not change together, or zeros
      * are not to be had.

@@ -64,13 +64,14 @@ namespace ThermoContact
 
     Iterate present, trial;
 
-    /** @param one_by_one a sweep: each meets its law beside those before it */
+    /** @param is_sweep each node meets its law beside what those before it
+     *   make of its z; else all at the z that is given */
     static void
     evaluate(const dealii::FullMatrix<double> &receptance,
              const std::vector<NodeLaw>       &laws,
              const std::vector<double>        &free,
              Iterate                          &nodes,
-             const bool                        one_by_one = false);
+             const bool                        is_sweep = false);
 
     static void
     measure(const dealii::FullMatrix<double> &receptance,

@@ -45,7 +45,7 @@ namespace ThermoContact
     /** Both are borrowed. */
     ContactTracker(Body<dim> &body, Reset<dim> &reset);
 
-    /** Forgets all and takes the initial state. */
+    /** Takes the initial state, before any step. */
     void
     start(const State &initial, std::vector<ContactEvent> &events);
 

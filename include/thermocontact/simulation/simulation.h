@@ -257,6 +257,8 @@ namespace ThermoContact
      *
      * @param error out: relative to the tolerance, if it is known
      * @return empty if it is; else why not, as steps.csv has it
+     * @throw ComputationError if no step can be accepted, or an event that it
+     *   has cannot be followed
      */
     std::string
     judge(const TimeStep &time_step, double &error);
