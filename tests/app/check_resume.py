@@ -167,6 +167,18 @@ def let_no_file_grow(reference, expected):
     print(f"resumed: status {status},", compare(expected, run.directory))
 
 
+def damage(reference, expected):
+    """A checkpoint that is not whole is passed over for the previous one."""
+    run = Run(reference, Path("killed"))
+    newest = run.directory / "checkpoint.bin"
+    data = bytearray(newest.read_bytes())
+    data[len(data) // 2] ^= 1
+    newest.write_bytes(data)
+    status, _ = run.finish()
+    print(f"damaged checkpoint: status {status},", compare(expected, run.directory), "warned",
+          int("it is damaged" in (run.directory / "log.txt").read_text()))
+
+
 def interrupt_repeats(reference):
     """A signal ends the repeats for error bars, which begin behind a summary."""
     run = Run(reference, Path("killed"))
@@ -196,6 +208,7 @@ def main():
         terminate(reference, expected)
         hang_up(reference, expected)
         let_no_file_grow(reference, expected)
+        damage(reference, expected)
         interrupt_repeats(reference)
 
 

@@ -234,7 +234,7 @@ namespace
   {
     for (const double time : {1.5, 1.5005, 1.4995, 1.5031, 1.5033, 1.55})
       {
-        deallog << "compliant" << std::endl;
+        deallog << "compliant:";
         EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3);
         std::vector<ContactEvent> events;
         locator.start(values(1., {0.}, 0.2, {0.}), events);
@@ -275,7 +275,7 @@ namespace
   void
   test_misses()
   {
-    deallog << "misses of 1e-8, 1e-9, 1e-6" << std::endl;
+    deallog << "misses of 1e-8, 1e-9, 1e-6:";
     EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3, false);
     std::vector<ContactEvent> events;
     locator.start(values(1., {0.}, 0.2, {0.}), events);
@@ -295,17 +295,17 @@ namespace
   {
     std::vector<ContactEvent> events;
     EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3);
-    deallog << "closed at the start" << std::endl;
+    deallog << "closed at the start:";
     locator.start(values(0., {0.15}, -0.3, {5.}), events);
     deallog << "  " << name_of(locator.mode());
     print_events(events);
 
-    deallog << "touches at the start" << std::endl;
+    deallog << "touches at the start:";
     locator.start(values(0., {0.1}, 0.2, {0.}), events);
     take(locator, values(1., {0.3}, 0.2, {0.}), false, events);
     take(locator, values(1., {0.2}, 0., {10.}), false, events);
 
-    deallog << "neither open nor closed" << std::endl;
+    deallog << "neither open nor closed:";
     locator.start(values(0., {0.1 + 1e-7}, -1e-6, {0.}), events);
     take(locator, values(1., {0.3}, 0.2, {0.}), false, events);
     take(locator, values(1., {-0.1}, -0.2, {-20.}), false, events);
@@ -318,13 +318,13 @@ namespace
   {
     std::vector<ContactEvent> events;
     EventLocator              locator(*rigid, true, NodeOrder::inertial, 1e-3);
-    deallog << "rigid" << std::endl;
+    deallog << "rigid:";
     locator.start(values(0., {0.1}, 0., {1.}), events);
     take(locator, values(1., {0.1}, 0., {1.}), false, events);
     take(locator, values(2., {0.1}, 0., {-1.}), false, events);
     take(locator, values(1.5, {0.1}, 0., {-5e-5}), true, events);
 
-    deallog << "rigid, let go at once" << std::endl;
+    deallog << "rigid, let go at once:";
     locator.start(values(0., {0.1}, 0.2, {0.}), events);
     take(locator, values(1., {0.3}, 0.2, {0.}), false, events);
     locator.release(values(0., {0.1}, 0., {0.}));
@@ -338,7 +338,7 @@ namespace
   {
     std::vector<ContactEvent> events;
     EventLocator locator(*compliant, false, NodeOrder::inertial, 1e-3);
-    deallog << "without location" << std::endl;
+    deallog << "without location:";
     locator.start(values(1., {-0.2}, 0.5, {0.}), events);
     locator.accept(values(2., {0.2}, 0.7, {10.}), {}, events);
     locator.accept(values(4., {0.}, -0.3, {0.}), {}, events);
@@ -370,7 +370,7 @@ namespace
   void
   test_two_stops()
   {
-    deallog << "two stops" << std::endl;
+    deallog << "two stops:";
     for (const double v : {1., -1.})
       {
         std::vector<ContactEvent> events;
@@ -403,12 +403,12 @@ namespace
   {
     std::vector<ContactEvent> events;
     EventLocator locator(*compliant, true, NodeOrder::inertial, 1e-3);
-    deallog << "two nodes together" << std::endl;
+    deallog << "two nodes together:";
     locator.start(values(1., {0., 0.}, 0.2, {0., 0.}), events);
     take(locator, values(1.5, {0.1, 0.1}, 0.2, {0., 0.}), true, events);
     take(locator, values(2., {0.12, 0.15}, 0., {2., 5.}), false, events);
 
-    deallog << "two nodes, one touches" << std::endl;
+    deallog << "two nodes, one touches:";
     locator.start(values(1., {0., -0.1}, 0.2, {0., 0.}), events);
     take(locator, values(2., {0.2, 0.1}, 0.2, {0., 0.}), false, events);
     take(locator, values(1.5, {0.1, 0.}, 0.2, {0., 0.}), true, events);

@@ -10,11 +10,12 @@
 //    cells halve twice, 10 once.
 // 4. Costs by the formulas of doc/performance.md, of numbers whose powers are
 //    plain: n = 1e10, 1e50; 31 responses; mu of 0.57/32, of which the fifth
-//    root is 2, and without inertia 32^0.35 = 2^1.75. 50 steps of about 250 stages choose the solver, for a gain of
-//    10 s: 12015 unknowns take 12.5 s and 4.4 s, 14259 take 16.7 s and 5.2 s.
+//    root is 2, and without inertia 32^0.35 = 2^1.75. 50 steps of about 250
+//    stages choose the solver, for a gain of 10 s: 12015 unknowns take 12.5 s
+//    and 4.4 s, 14259 take 16.7 s and 5.2 s.
 // 5. Of n letters (n + 1)/3 may be wrong, exchanged neighbours are one, if
-//    there are at most 100; the first of the nearest ones is meant. Of 21 faults 20
-//    are told.
+//    there are at most 100; the first of the nearest ones is meant. Of 21
+//    faults 20 are told.
 // 6. Numbers without a unit on both sides of what is likely.
 
 #include <thermocontact/base/exceptions.h>

@@ -5,8 +5,8 @@
 // tests/reference/damped-contact.csv, of tests/reference/damped_contact.py
 // (SciPy, 1e-12), m = 1, 3/2, 3 with c = 0 and 1/10 (impact 0 and 1/2):
 // creep    zeta u' + u + p = 2 sin 3 t, one cell, b = 0, tolerance 1e-11:
-//          u at 3 times to 1e-9;
-// static   the same with zeta = 0, steps of 1/20000: u at 2 times to 1e-9;
+//          u at 2 times to 1e-9;
+// static   the same with zeta = 0, steps of 1/20000: u at t = 0.8 to 1e-9;
 // impact   a mass b/2 on a spring of stiffness 1 thrown at the obstacle, one
 //          cell, lumped, tolerance 1e-12: begin and end of contact, velocity
 //          of impact and rebound to 1e-8;
