@@ -106,7 +106,7 @@ namespace
         text.append(part, n);
       else
         break;
-    return nlohmann::json::parse(text);
+    return nlohmann::json::parse(text, nullptr, false);
   }
 
 
@@ -145,7 +145,11 @@ namespace
                 else if (const auto run = connections.find(child);
                          run != connections.end())
                   {
-                    dprintf(run->second, "%d\n", code);
+                    const std::string answer = std::to_string(code) + '\n';
+                    send(run->second,
+                         answer.data(),
+                         answer.size(),
+                         MSG_NOSIGNAL);
                     close(run->second);
                     connections.erase(run);
                   }
@@ -153,15 +157,19 @@ namespace
           }
         if (events[0].revents != 0)
           {
-            const int connection         = accept(listener, nullptr, nullptr);
+            const int connection =
+              accept4(listener, nullptr, nullptr, SOCK_CLOEXEC);
             const nlohmann::json request = read_request(connection);
-            const pid_t          child   = fork();
+            const pid_t          child   = request.is_object() ? fork() : -1;
             if (child == 0)
               {
                 sigprocmask(SIG_SETMASK, &before, nullptr);
                 run_program(request);
               }
-            connections[child] = connection;
+            if (child > 0)
+              connections[child] = connection;
+            else
+              close(connection); // who has asked waits no longer
           }
       }
     return *end;
@@ -175,10 +183,11 @@ main(int argc, char **argv)
 {
   std::string directory =
     std::filesystem::temp_directory_path() / "thermocontact-XXXXXX";
-  const int listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (argc < 2 || mkdtemp(directory.data()) == nullptr)
+  const int   listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address  = {AF_UNIX, ""};
+  if (argc < 2 || mkdtemp(directory.data()) == nullptr ||
+      directory.size() + 7 >= sizeof(address.sun_path))
     return 2;
-  sockaddr_un address = {AF_UNIX, ""};
   (directory + "/forks").copy(address.sun_path, sizeof(address.sun_path) - 1);
   if (bind(listener, reinterpret_cast<sockaddr *>(&address), sizeof(address)) !=
         0 ||

@@ -231,7 +231,7 @@ void
 main_iterative_counts()
 {
   initlog();
-  deallog << "Krylov iterations of cubes" << std::endl;
+  deallog << "Krylov iterations of cubes: ";
   count_iterations<2>(1, {16, 64});
   count_iterations<2>(2, {8, 32});
   count_iterations<3>(1, {4, 8});
@@ -256,7 +256,7 @@ main_iterative_counts()
     }
   count_short_stages();
 
-  deallog << "sets of contact nodes" << std::endl;
+  deallog << "sets of contact nodes: ";
   for (const std::string obstacle : {"Compliance=1",
                                      "Compliance=1e-6",
                                      "Compliance=1e-9",
@@ -266,7 +266,7 @@ main_iterative_counts()
       count_sets<3>(obstacle);
     }
 
-  deallog << "what is made" << std::endl;
+  deallog << "what is made: ";
   count_what_is_made("normal compliance");
   count_what_is_made("rigid");
   count_steps_without_stress();

@@ -236,11 +236,11 @@ main_paper()
   deallog << "steady states" << std::endl;
   for (unsigned int experiment = 1; experiment <= 5; ++experiment)
     {
-      deallog << "experiment " << experiment << std::endl;
+      deallog << "experiment " << experiment << ':';
       for (const unsigned int degree : {1, 2})
         check_steady_state(read_parameters(paper_file(experiment)), degree);
     }
-  deallog << "rigid obstacle" << std::endl;
+  deallog << "rigid obstacle:";
   for (const unsigned int degree : {1, 2})
     check_steady_state(read_parameters(paper_file(1),
                                        {"Contact/Condition=rigid"}),
