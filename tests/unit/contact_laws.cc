@@ -5,7 +5,7 @@
 // pressure(s(p)) = p and penetration_of_energy(energy(p)) = s(p) unless it is
 // rigid, the resolvent solves z - chi p = s(p), odd where it is held, odd
 // penetrations; the mean pressure between two penetrations times their
-// difference is the difference of the energies.
+// difference is the difference of the energies, and p between equal ones.
 
 #include <thermocontact/contact/contact_law.h>
 
@@ -21,9 +21,8 @@ main_contact_laws()
   initlog();
   for (const ContactLawKind &kind : contact_laws())
     {
-      const auto   law   = kind.make(default_law_parameters());
-      const double chi   = 0.3;
-      double       worst = 0.;
+      const auto law = kind.make(default_law_parameters());
+      double     chi = 0.3, worst = 0.;
       for (const double p : {0.1, 1., 3.})
         {
           const double h  = 1e-4 * p;
@@ -44,6 +43,7 @@ main_contact_laws()
           if (law->is_rigid())
             continue;
           raise(worst, std::abs(law->pressure(s) - p));
+          raise(worst, std::abs(law->mean_pressure(s, s) - p));
           raise(worst,
                 std::abs(law->penetration_of_energy(law->energy(p)) - s));
           for (const double other : {-0.7 * s, 0.3 * s, 2. * s})
