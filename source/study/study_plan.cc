@@ -165,9 +165,8 @@ namespace ThermoContact
                  variation.path != "Output/Probes" && comma < value.size() &&
                  parse_number(value.substr(0, comma)))
           fail("a ',' behind a number, '|' separates values,");
-        else if (value.find(':') < value.find('?') &&
-                 value.find('/') > value.find(':') &&
-                 parse_number(value.substr(0, value.find(':'))))
+        else if (const auto colon = value.find(':');
+                 colon < value.size() && parse_number(value.substr(0, colon)))
           fail("a ':', which makes no range, write first .. last (n),");
       return variation;
     }
