@@ -66,7 +66,6 @@ namespace ThermoContact
     , in_order(std::is_sorted(of_scheme.c.begin(), of_scheme.c.end()) ?
                  of_scheme :
                  butcher_tableau("sdirk3"))
-    , tableau(&of_scheme)
     , solver(make_stage_solver(body))
     , driven(body)
     , stages(of_scheme.n_stages())

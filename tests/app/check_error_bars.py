@@ -88,6 +88,8 @@ def results(number, overrides, has_bars):
 
 def check_screen(summary, log):
     """Bars of a value, in time and in space, to two digits."""
+    if not re.search(r"^  errors +by [2-4] repeats: value, \+- in time, \+- in space$", log, re.M):
+        raise RuntimeError("log.txt: no repeats")
     for key in KEYS:
         bars = [summary[f"{key}_{kind}_error"] for kind in ("time", "space")]
         words = re.search(rf"^ +{key} +\S+ +\+- (\S+) +\+- (\S+)$", log, re.M)

@@ -693,6 +693,9 @@ def check_head(run):
         re.search(r"(sin|cos)\(\d\*t", value) for value in s.values())
     if is_fast != (" steps end at 0 jumps and 0 kinks, and are at most " in run.log):
         yield "loads"
+    unknowns = re.search(r"^  unknowns (.*)$", run.log, re.MULTILINE)[1]
+    if sum(map(int, re.findall(r"\d+", unknowns))) != run.summary["dofs"]:
+        yield f"unknowns: {unknowns}"
     version = run.contact.comments[1].split(",")[0]
     if not (run.directory / "used.prm").read_text().startswith(f"# {version}: every entry"):
         yield "the head of used.prm"

@@ -98,10 +98,7 @@ namespace
         if (difference > 0.)
           raise(error, difference / largest);
       }
-    deallog << "  " << name << ": " << within(error, 1e-8);
-    if (!(error <= 1e-8))
-      deallog << " (" << error << ')';
-    deallog << std::endl;
+    deallog << ", " << name << ": " << within(error, 1e-8);
   }
 
 
@@ -134,10 +131,11 @@ namespace
         releases += before > 0. && after == 0.;
       }
     deallog << obstacle << ": impact " << (impacts > 0) << ", release "
-            << (releases > 0) << std::endl;
+            << (releases > 0);
     compare_with_rod("strip", rod, rows<2>(scene, sides));
     compare_with_rod("block", rod, rows<3>(scene, sides));
     compare_with_rod("round rod", rod, rows<2>(scene, round));
+    deallog << std::endl;
   }
 
 

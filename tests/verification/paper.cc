@@ -246,7 +246,7 @@ main_paper()
                                        {"Contact/Condition=rigid"}),
                        degree);
 
-  deallog << "energy audit" << std::endl;
+  deallog << "energy audit: ";
   for (unsigned int experiment = 1; experiment <= 5; ++experiment)
     check_audit<1>("experiment " + std::to_string(experiment),
                    read_parameters(paper_file(experiment)));

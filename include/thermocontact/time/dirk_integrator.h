@@ -59,7 +59,7 @@ namespace ThermoContact
     /** Its own, or one whose abscissae are in the order of time. */
     const ButcherTableau &in_order;
 
-    const ButcherTableau              *tableau; ///< of the present step
+    const ButcherTableau *tableau = nullptr; ///< of the present step
     const std::unique_ptr<StageSolver> solver;
 
     DrivenStep<dim>  driven; ///< of a fixed end that is heated or moved
