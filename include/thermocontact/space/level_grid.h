@@ -40,7 +40,15 @@ namespace ThermoContact
     ValueAndSlope of_i, of_j;
   };
 
-  /** Calls @p visit for all that integrals of products on an axis are of. */
+  /**
+   * Calls @p visit(BasisProduct) for each point of the rule of Gauss with
+   * @p degree + 1 points in each cell, and each pair of the cell's basis
+   * functions: the sum of weight * f(of_i, of_j) is the integral of f over the
+   * axis, exact for products of the functions and of their slopes.
+   *
+   * @param nodes of an axis in rising order, @p degree + 1 to a cell, of which
+   *   neighbours share one
+   */
   template <typename Visit>
   void
   visit_products(const std::vector<double> &nodes,

@@ -9,7 +9,8 @@
 
 namespace ThermoContact
 {
-  /** Of a field of a body. */
+  /** Components of a field of a body: 1 of the temperature, dim of the
+   * displacement. */
   template <int dim>
   constexpr unsigned int
   n_components(const Field::Block field)
