@@ -11,7 +11,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/si_scene.h>
-#include <thermocontact/output/output_units.h>
+#include <thermocontact/output/output_page.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/sweep.h>
 

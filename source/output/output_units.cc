@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/output/output_page.h>
 #include <thermocontact/output/output_units.h>
 
 #include <deal.II/base/exceptions.h>

@@ -11,14 +11,6 @@
 namespace ThermoContact
 {
   /**
-   * The page doc/output.md: what is in each file of an output directory. The
-   * only list of columns, keys and arrays with their kinds of quantities, by
-   * which they have their units: a heading of the second level is the name of a
-   * file, a row of its table has a name, its kind and its meaning.
-   */
-  extern const char *const output_page;
-
-  /**
    * The kind of quantity, as QuantityUnits has them, of a column, key or array.
    * A '*' in a name of the page stands for what the scene chooses.
    */
