@@ -5,6 +5,7 @@
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/machine_memory.h>
 #include <thermocontact/base/serial_section.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/forecast/forecast.h>
@@ -27,7 +28,6 @@
 #include <thermocontact/study/error_bars.h>
 
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -123,7 +123,7 @@ namespace ThermoContact
              directory.has_relative_path())
         directory = directory.parent_path();
       const auto space = std::filesystem::space(directory, fault);
-      return fault ? std::numeric_limits<double>::infinity() : space.available;
+      return fault ? infinity : space.available;
     }
 
 

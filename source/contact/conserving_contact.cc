@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/method/scheme.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -96,7 +96,7 @@ namespace ThermoContact
                        const double   rate,
                        const double   lead)
     {
-      double     distance = std::numeric_limits<double>::infinity();
+      double     distance = infinity;
       const auto look     = [&](const double value, const double value_rate) {
         // towards the obstacle from outside, or back to it from within
         if (value * value_rate < 0.)
@@ -157,7 +157,7 @@ namespace ThermoContact
           change(i, 0) = end[i] - start[i];
         respond_to_change(static_receptance, slope, change);
 
-        double distance = std::numeric_limits<double>::infinity();
+        double distance = infinity;
         for (unsigned int i = 0; i < n; ++i)
           {
             double z = ahead[i] - lead * change(i, 0);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/event_locator.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace ThermoContact
@@ -128,8 +128,7 @@ namespace ThermoContact
     if (local.is_any_in_contact())
       add_event({initial.time,
                  ContactEvent::begin,
-                 !has_velocity ? std::numeric_limits<double>::quiet_NaN() :
-                                 side * local.velocity(local.foremost()),
+                 !has_velocity ? nan : side * local.velocity(local.foremost()),
                  side},
                 events);
   }
@@ -199,8 +198,7 @@ namespace ThermoContact
                               const bool         is_aimed,
                               const BodyScales  &scales) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Scales           sizes(largest);
+    Scales sizes(largest);
     sizes.add(next);
     const double size         = next.values.time - present.time;
     double       zero         = infinity;

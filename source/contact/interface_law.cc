@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/contact/interface_law.h>
 #include <thermocontact/method/bracketed_root.h>
@@ -54,7 +55,6 @@ namespace ThermoContact
   double
   Damped::velocity_at_touch() const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     return tau > 0. ? -start / tau : start > 0. ? -infinity : infinity;
   }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/contact/interface_problem.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -173,7 +173,7 @@ namespace ThermoContact
         }))
       {
         // no law says what it does: the state that follows is not finite
-        pressure.assign(n, std::numeric_limits<double>::quiet_NaN());
+        pressure.assign(n, nan);
         present.slope.assign(n, 0.);
         return 1;
       }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/contact/contact_law.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -42,7 +42,7 @@ namespace ThermoContact
       tangent(const double pressure) const override
       {
         return pressure == 0. ?
-                 std::numeric_limits<double>::infinity() :
+                 infinity :
                  compliance / exponent *
                    std::pow(std::abs(pressure), 1. / exponent - 1.);
       }

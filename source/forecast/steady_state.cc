@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/input/quantity_units.h>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -39,10 +39,6 @@ namespace ThermoContact
         return "none: nothing damps the motion, which goes on for ever";
       return "";
     }
-
-
-
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/load_enclosure.h>
 
@@ -12,7 +13,6 @@ namespace ThermoContact
 {
   namespace
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
 
     /**
      * A load is nearly a parabola in a span if it is off by that part of its

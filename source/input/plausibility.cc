@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/input/unit_text.h>
-
-#include <limits>
 
 namespace ThermoContact
 {
   namespace
   {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
-
     /** The range of a quantity, and the unit of numbers that are not in it. */
     struct Range
     {
@@ -23,21 +20,21 @@ namespace ThermoContact
     // softer than rubber, heavier than osmium, colder than any rod but in a
     // cryostat
     const Range ranges[] = {
-      {"Boundary/Ambient temperature", 150., unbounded, "degC"},
-      {"Boundary/Fixed end temperature", 150., unbounded, "degC"},
-      {"Boundary/Obstacle temperature", 150., unbounded, "degC"},
+      {"Boundary/Ambient temperature", 150., infinity, "degC"},
+      {"Boundary/Fixed end temperature", 150., infinity, "degC"},
+      {"Boundary/Obstacle temperature", 150., infinity, "degC"},
       {"Contact/Gap", -1., 1., "um"},
       {"Contact/Rear gap", -1., 1., "um"},
-      {"Initial values/Temperature", 150., unbounded, "degC"},
+      {"Initial values/Temperature", 150., infinity, "degC"},
       {"Rod/Cross-section area", 0., 1., "mm^2"},
-      {"Rod/Density", 20., unbounded, "g/cm^3"},
+      {"Rod/Density", 20., infinity, "g/cm^3"},
       {"Rod/Density", 0., 3e4, "g/m^3"},
-      {"Rod/Heat capacity", 10., unbounded, "kJ/(kg K)"},
+      {"Rod/Heat capacity", 10., infinity, "kJ/(kg K)"},
       {"Rod/Length", 0., 100., "mm"},
       {"Rod/Linear expansion", -1e-3, 1e-3, "um/(m K)"},
-      {"Rod/Reference temperature", 150., unbounded, "degC"},
-      {"Rod/Young's modulus", 1e4, unbounded, "GPa"},
-      {"Rod/Young's modulus", 1e8, unbounded, "MPa"}};
+      {"Rod/Reference temperature", 150., infinity, "degC"},
+      {"Rod/Young's modulus", 1e4, infinity, "GPa"},
+      {"Rod/Young's modulus", 1e8, infinity, "MPa"}};
   } // namespace
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/input/section_of_entries.h>
 
 #include <deal.II/base/utilities.h>
@@ -134,8 +135,7 @@ namespace ThermoContact
   {
     const std::string word = pattern.default_word();
     return unbound(name, word, pattern, [&value, word](const auto &given) {
-      value = given == word ? std::numeric_limits<double>::infinity() :
-                              string_to_double(given);
+      value = given == word ? infinity : string_to_double(given);
     });
   }
 

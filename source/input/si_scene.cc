@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/expression.h>
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -312,7 +312,7 @@ namespace ThermoContact
   {
     const Assignment *const last = last_assignment(assignments, path);
     return (last == nullptr ? std::nullopt : parse_number(value(*last)))
-      .value_or(std::numeric_limits<double>::quiet_NaN());
+      .value_or(nan);
   }
 
 

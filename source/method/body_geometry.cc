@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/method/body_geometry.h>
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -34,8 +34,7 @@ namespace ThermoContact
   double
   BodyGeometry::area_over_perimeter() const
   {
-    return dim == 1 ? std::numeric_limits<double>::infinity() :
-                      width / (2. * (dim - 1.));
+    return dim == 1 ? infinity : width / (2. * (dim - 1.));
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/method/bracketed_root.h>
 #include <thermocontact/method/cubic_hermite.h>
 
@@ -10,13 +11,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-  } // namespace
-
-
-
   CubicHermite::CubicHermite(const double s0,
                              const double slope0,
                              const double s1,

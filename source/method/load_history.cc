@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/method/load_history.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <set>
 
 namespace ThermoContact
@@ -61,7 +61,7 @@ namespace ThermoContact
   LoadBreak::LoadBreak(const double time, const bool is_jump)
     : time(time)
     , old_time(std::nextafter(time, 0.))
-    , new_time(std::nextafter(time, std::numeric_limits<double>::infinity()))
+    , new_time(std::nextafter(time, infinity))
     , is_jump(is_jump)
   {}
 

@@ -3,11 +3,11 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/output/output.h>
 
 #include <filesystem>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -188,7 +188,7 @@ namespace ThermoContact
       events_file.add({events[i],
                        events[i].kind == ContactEvent::end && i > 0 ?
                          events[i].time - events[i - 1].time :
-                         std::numeric_limits<double>::quiet_NaN()});
+                         nan});
     for (const StepAttempt &attempt : simulation.history().attempts)
       steps_file.add(attempt);
     if (space_time_output && is_due(of_space_time, record.time))

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/machine_memory.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_units.h>
@@ -9,7 +10,6 @@
 #include <thermocontact/scene/coarser_scenes.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -128,7 +128,7 @@ namespace ThermoContact
                       [](const LoadBreak &at) { return at.is_jump; });
       std::string line = "steps end at " + count(n_jumps, "jump") + " and " +
                          count(loads.breaks.size() - n_jumps, "kink");
-      double smallest = std::numeric_limits<double>::infinity();
+      double smallest = infinity;
       for (const LoadStretch &stretch : loads.stretches)
         smallest = std::min(smallest, stretch.width);
       if (!loads.stretches.empty())

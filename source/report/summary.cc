@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/version.h>
 #include <thermocontact/base/writable_file.h>
 #include <thermocontact/output/output_units.h>
@@ -13,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -42,7 +42,6 @@ namespace ThermoContact
                 const StepRecord &record,
                 const KeyResults &results)
     {
-      constexpr double  nan    = std::numeric_limits<double>::quiet_NaN();
       const auto       &states = forecast.rest.states;
       const auto       &impact = forecast.impact;
       const SteadyState rest =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/rod/dense_inverse.h>
 
 #include <algorithm>
@@ -79,7 +80,6 @@ namespace ThermoContact
   double
   invert(std::vector<double> &a, const unsigned int n)
   {
-    constexpr double none = std::numeric_limits<double>::infinity();
     // rows of different fields have different units
     std::vector<double> scales(n, 0.);
     for (unsigned int j = 0; j < n; ++j)
@@ -87,13 +87,13 @@ namespace ThermoContact
         scales[i] = std::max(scales[i], std::abs(a[j * n + i]));
     for (const double scale : scales)
       if (!(scale > 0.) || !std::isfinite(scale))
-        return none;
+        return infinity;
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         a[j * n + i] /= scales[i];
     const std::vector<double> scaled(a);
     if (!eliminate(a, n))
-      return none;
+      return infinity;
     const double error = residual(scaled, a, n);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)

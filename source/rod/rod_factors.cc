@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/rod/dense_inverse.h>
 #include <thermocontact/rod/rod_factors.h>
 #include <thermocontact/rod/small_blocks.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -46,7 +46,7 @@ namespace ThermoContact
               }
         vertex_systems.push_back(eliminate_inner_nodes(system, cells[r]));
       }
-    if (growth_ < std::numeric_limits<double>::infinity())
+    if (growth_ < infinity)
       factorize_vertices(vertex_systems);
   }
 
@@ -57,7 +57,7 @@ namespace ThermoContact
   RodFactors<n_fields>::note_growth(const double growth)
   {
     if (std::isnan(growth))
-      growth_ = std::numeric_limits<double>::infinity();
+      growth_ = infinity;
     else
       growth_ = std::max(growth_, growth);
   }
@@ -88,7 +88,7 @@ namespace ThermoContact
           cell.inner_to_vertices[i * n_inner + j] = column[i];
       }
     note_growth(invert(cell.inner_inverse, n_inner));
-    if (growth_ == std::numeric_limits<double>::infinity())
+    if (growth_ == infinity)
       return vertices;
     for (unsigned int j = 0; j < n_outer; ++j)
       {

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
@@ -54,7 +55,7 @@ namespace ThermoContact
         return parameters.contact.gap;
       if (parameters.dimension > 1 &&
           (expression->depends_on("y") || expression->depends_on("z")))
-        return std::numeric_limits<double>::quiet_NaN();
+        return nan;
       return TimeFunction(*expression, dealii::Point<3>(1., 0., 0.)).value(0.);
     }
 
@@ -230,9 +231,7 @@ namespace ThermoContact
         return false; // the paper's scheme, as it is
       const double h = mesh.contact_spacing();
       // of the mesh, and of an obstacle beside it that has one
-      const double stiffness =
-        1. +
-        h / law.compliance().value_or(std::numeric_limits<double>::infinity());
+      const double stiffness = 1. + h / law.compliance().value_or(infinity);
       return scheme.needs_massless_contact ||
              (parameters.dimension > 1 && law.is_rigid()) ||
              model.viscosity < std::sqrt(model.inertia * stiffness) * h;

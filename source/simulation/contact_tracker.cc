@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/contact_tracker.h>
 #include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -290,7 +290,7 @@ namespace ThermoContact
     locator.accept(next, {}, events);
     if (body.scene.material.is_static()) // moved at once
       for (std::size_t i = n_events; i < events.size(); ++i)
-        events[i].velocity = std::numeric_limits<double>::quiet_NaN();
+        events[i].velocity = nan;
   }
 
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -53,8 +53,7 @@ namespace ThermoContact
     record.time             = state.time;
     record.displacement_end = record.displacement_mid = record.velocity_end =
       record.stress_end = record.gap = record.temperature_end =
-        record.heat_flux_end         = record.temperature_mean =
-          std::numeric_limits<double>::quiet_NaN();
+        record.heat_flux_end = record.temperature_mean = nan;
     record.penetration = record.contact_force = record.temperature_mean;
     record.in_contact                         = false;
     if (body.scene.fields.has_displacement)
@@ -91,7 +90,7 @@ namespace ThermoContact
     if (body.law().is_active())
       {
         get_node_laws(body, state, contact_laws, contact_values);
-        record.gap = std::numeric_limits<double>::infinity();
+        record.gap = infinity;
         for (unsigned int i = 0; i < contact_laws.size(); ++i)
           record.gap =
             std::min(record.gap,

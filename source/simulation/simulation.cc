@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/quantity_units.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace ThermoContact
@@ -281,7 +281,7 @@ namespace ThermoContact
     if (!body_.obstacle.is_active())
       return 0.;
     return controller.followed_loads().break_at(state_.time) != nullptr ?
-             std::numeric_limits<double>::quiet_NaN() :
+             nan :
              state_.gap_rate.front();
   }
 
@@ -341,7 +341,7 @@ namespace ThermoContact
   {
     const TimeParameters &time = parameters().time;
     if (!time.has_error_control())
-      return std::numeric_limits<double>::quiet_NaN();
+      return nan;
     EnergyTerms error = result.error;
     if (scene_.contact.has_impacts() &&
         tracker.mode() == ContactMode::unilateral &&

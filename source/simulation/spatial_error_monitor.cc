@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace ThermoContact
@@ -347,7 +347,6 @@ namespace ThermoContact
   {
     const Material   &material = scene.material;
     const ContactLaw &law      = *scene.contact.law;
-    const double      infinity = std::numeric_limits<double>::infinity();
     if (!law.is_active() || !law.is_linear() || !material.has_inertia() ||
         !material.has_viscosity())
       return infinity;

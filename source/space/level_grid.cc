@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/level_grid.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -53,7 +53,7 @@ namespace ThermoContact
     double
     shortest_cell(const std::vector<double> &nodes, const unsigned int degree)
     {
-      double shortest = std::numeric_limits<double>::infinity();
+      double shortest = infinity;
       for (unsigned int i = 0; i + degree < nodes.size(); i += degree)
         shortest = std::min(shortest, nodes[i + degree] - nodes[i]);
       return shortest;
@@ -128,7 +128,7 @@ namespace ThermoContact
         thin(0.);
         return coarse;
       }
-    double length = std::numeric_limits<double>::infinity(), longest = 0.;
+    double length = infinity, longest = 0.;
     for (const std::vector<double> &axis : axes)
       if (axis.size() > degree_ + 1)
         {

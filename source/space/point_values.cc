@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/collective.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/point_values.h>
 
@@ -8,7 +9,6 @@
 #include <deal.II/base/geometry_info.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -273,9 +273,7 @@ namespace ThermoContact
   void
   PointValues<dim>::set_absent(const Quantity quantity)
   {
-    std::fill_n(values.begin() + quantity * n_places,
-                n_places,
-                std::numeric_limits<double>::quiet_NaN());
+    std::fill_n(values.begin() + quantity * n_places, n_places, nan);
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/interruption.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/scene/coarser_scenes.h>
 #include <thermocontact/scene/scene_checks.h>
@@ -9,15 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace ThermoContact
 {
   namespace
   {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
     /** Where errors hardly fall from mesh to mesh, more is not known. */
     constexpr double largest_factor = 2.;
 
@@ -37,7 +35,7 @@ namespace ThermoContact
     {
       KeyResults bars;
       for (const std::string &k : results_with_error_bars())
-        bars[k] = unknown;
+        bars[k] = nan;
       return bars;
     }
 
@@ -195,7 +193,7 @@ namespace ThermoContact
     for (const std::string &k : results_with_error_bars())
       if (std::isnan(values.at(k)) ||
           (k == "max_contact_force" && !has_largest_force))
-        errors.time[k] = errors.space[k] = unknown;
+        errors.time[k] = errors.space[k] = nan;
     if (!has_largest_force)
       errors.remarks.push_back(
         "error bars: none of the largest force, which is that of the mesh: the "

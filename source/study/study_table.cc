@@ -3,6 +3,7 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/csv_columns.h>
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/writable_file.h>
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/study/study_table.h>
@@ -15,13 +16,11 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <limits>
 
 namespace ThermoContact
 {
   namespace
   {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
 
     /** The middle of numbers in order of size; NaN if there are none. */
     double

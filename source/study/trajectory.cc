@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/study/trajectory.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -43,8 +43,7 @@ namespace ThermoContact
   double
   Trajectory::first_contact_time() const
   {
-    return event_times.empty() ? std::numeric_limits<double>::quiet_NaN() :
-                                 event_times.front();
+    return event_times.empty() ? nan : event_times.front();
   }
 
 
@@ -68,7 +67,7 @@ namespace ThermoContact
     if (next == times.size())
       {
         Values none;
-        none.fill(std::numeric_limits<double>::quiet_NaN());
+        none.fill(nan);
         return none;
       }
     if (times[next] == time || next == 0)

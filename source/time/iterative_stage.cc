@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/time/iterative_stage.h>
@@ -229,7 +230,7 @@ namespace ThermoContact
     laws = new_laws;
     for (unsigned int i = 0; i < laws.size(); ++i)
       springs[i] = laws[i].compliance == 0. ?
-                     std::numeric_limits<double>::infinity() :
+                     infinity :
                      factor * tau * body.contact_end().nodes()[i].weight /
                        laws[i].compliance;
     hierarchies.set_contact(springs);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/time/step_controller.h>
@@ -12,13 +13,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    const double infinity = std::numeric_limits<double>::infinity();
-  } // namespace
-
-
-
   const char *
   name_of(const TimeStep::Target target)
   {

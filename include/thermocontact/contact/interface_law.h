@@ -3,9 +3,10 @@
 #ifndef thermocontact_contact_interface_law_h
 #define thermocontact_contact_interface_law_h
 
+#include <thermocontact/base/special_numbers.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace ThermoContact
@@ -21,9 +22,8 @@ namespace ThermoContact
    */
   struct AffineLaw
   {
-    double compliance =
-      std::numeric_limits<double>::infinity(); ///< $\kappa\ge0$
-    double offset = 0.;                        ///< $x_0$
+    double compliance = infinity; ///< $\kappa\ge0$
+    double offset     = 0.;       ///< $x_0$
 
     bool
     is_open() const
@@ -229,7 +229,7 @@ namespace ThermoContact
     int side = 1;
 
     /** Distance between the two; infinite: there is one. */
-    double play = std::numeric_limits<double>::infinity();
+    double play = infinity;
 
     double front_rate = 0.; ///< $g'$; the obstacle behind the node rests
 

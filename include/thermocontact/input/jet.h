@@ -3,6 +3,7 @@
 #ifndef thermocontact_input_jet_h
 #define thermocontact_input_jet_h
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 
 #include <boost/logic/tribool.hpp>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -39,7 +39,6 @@ namespace ThermoContact
     static Interval
     everything()
     {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
       return {-infinity, infinity};
     }
 
@@ -90,7 +89,6 @@ namespace ThermoContact
   inline Interval
   widened(const double a, const double b)
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (!(a == a && b == b))
       return Interval::everything();
     return {std::nextafter(std::min(a, b), -infinity),

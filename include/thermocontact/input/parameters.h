@@ -4,6 +4,7 @@
 #define thermocontact_input_parameters_h
 
 #include <thermocontact/base/multiples.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/expression.h>
@@ -13,7 +14,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -179,10 +179,10 @@ namespace ThermoContact
     std::optional<double> step_size;        ///< none: error-controlled
     double                tolerance = 1e-5; ///< of error-controlled steps
     std::optional<double> first_step_size;  ///< none: from the tolerance
-    double                minimum_step_size = 0.;
-    double      maximum_step_size     = std::numeric_limits<double>::infinity();
-    std::string locate_contact_events = "automatic";
-    std::vector<double> break_points; ///< where steps end
+    double                minimum_step_size     = 0.;
+    double                maximum_step_size     = infinity;
+    std::string           locate_contact_events = "automatic";
+    std::vector<double>   break_points; ///< where steps end
 
     void
     add_parameters(ParameterHandler &prm);

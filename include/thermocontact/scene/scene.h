@@ -3,6 +3,7 @@
 #ifndef thermocontact_scene_scene_h
 #define thermocontact_scene_scene_h
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/contact/heat_exchange.h>
 #include <thermocontact/input/parameters.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -215,7 +215,7 @@ namespace ThermoContact
 
     /** $g_2$ of an obstacle behind the end, (M4.3); infinite: there is none.
      */
-    double rear_gap = std::numeric_limits<double>::infinity();
+    double rear_gap = infinity;
 
     /** Of the contact nodes; meaningless without obstacle. */
     NodeOrder order;

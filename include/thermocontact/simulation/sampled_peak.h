@@ -3,8 +3,9 @@
 #ifndef thermocontact_simulation_sampled_peak_h
 #define thermocontact_simulation_sampled_peak_h
 
+#include <thermocontact/base/special_numbers.h>
+
 #include <algorithm>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -27,9 +28,7 @@ namespace ThermoContact
      *   without contact has no rate there
      */
     void
-    add(const double time,
-        const double value,
-        const double rate = std::numeric_limits<double>::quiet_NaN());
+    add(const double time, const double value, const double rate = nan);
 
     /** Not below the largest value. */
     double

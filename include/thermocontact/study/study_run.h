@@ -4,13 +4,13 @@
 #define thermocontact_study_study_run_h
 
 #include <thermocontact/base/interruption.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/study/scene_reader.h>
 #include <thermocontact/study/shared_spaces.h>
 #include <thermocontact/study/study_plan.h>
 #include <thermocontact/study/trajectory.h>
 
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,7 +28,7 @@ namespace ThermoContact
     Trajectory          trajectory;
 
     /** NaN without a reference. */
-    Trajectory::Difference error{std::numeric_limits<double>::quiet_NaN()};
+    Trajectory::Difference error{nan};
 
     KeyResults key_results; ///< none of a run that failed
 
