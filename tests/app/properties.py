@@ -669,6 +669,7 @@ def check_head(run):
              "time": f"T = {s.number('Time/End time'):g}"}
     if dim > 1:
         lines["body"] += f", sides 1 : {across / cells / width:g}, lateral faces: "
+        lines["set up"] = f" s, factorised at once: {run.summary['factorized_unknowns']}"
     if s["Time/Step size"] != "automatic":
         lines["time"] = f"dt = 0.01, {100 * s.number('Time/End time'):g} steps, " + lines["time"]
     if scene.moves:
