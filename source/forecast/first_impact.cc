@@ -72,7 +72,7 @@ namespace ThermoContact
         if (events.empty() || events[0].time >= waves ||
             !(events[0].velocity > 0.))
           return {};
-        FirstImpact impact{events[0].time, events[0].velocity, 0., 0.};
+        FirstImpact impact{events[0].time, events[0].velocity};
         if (law.is_rigid())
           return impact;
         while (events.size() == 1 && rod.record().time < impact.time + waves &&

@@ -119,11 +119,8 @@ namespace ThermoContact
       if (left == ')')
         cannot_read("a ')' without a '('");
       if (left == ',')
-        refuse(path,
-               text,
-               "a ',' outside of parentheses",
-               "a decimal point, and ';' between components",
-               next);
+        cannot_read("a ',' outside of parentheses; numbers have a decimal "
+                    "point, and ';' is between components");
       if (left != '\0')
         cannot_read(
           "an operator is missing before " + next_word() +

@@ -19,7 +19,7 @@ namespace ThermoContact
   std::string
   SnapshotSeries::write_pvd()
   {
-    if (n_listed == times_.size())
+    if (times_.empty())
       return "";
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\">\n"
@@ -29,11 +29,7 @@ namespace ThermoContact
               significant(time_unit(times_[i]), all_digits) +
               "\" group=\"\" part=\"0\" file=\"" + file_name(i) + "\"/>\n";
     text += "  </Collection>\n</VTKFile>\n";
-    const std::string fault =
-      write_atomically(directory + "/" + name + ".pvd", text);
-    if (fault.empty())
-      n_listed = times_.size();
-    return fault;
+    return write_atomically(directory + "/" + name + ".pvd", text);
   }
 
 
@@ -44,10 +40,7 @@ namespace ThermoContact
     unsigned int i = times_.size();
     while (std::remove(path_of(i).c_str()) == 0)
       ++i;
-    if (!times_.empty())
-      return write_pvd();
-    std::remove((directory + "/" + name + ".pvd").c_str());
-    return "";
+    return write_pvd();
   }
 
 

@@ -158,7 +158,9 @@ namespace ThermoContact
 
 
     std::string
-    describe_impact(const FirstImpact &impact, const OutputUnits &units)
+    describe_impact(const FirstImpact &impact,
+                    const Scene       &scene,
+                    const OutputUnits &units)
     {
       const auto about_in = [&units](const char *kind, const double value) {
         const Conversion &unit = units.of(kind);
@@ -166,7 +168,7 @@ namespace ThermoContact
       };
       std::string line = "about t = " + about_in("time", impact.time) +
                          ", velocity " + about_in("velocity", impact.velocity);
-      if (impact.penetration > 0.)
+      if (!scene.contact.law->is_rigid())
         line += ", peak penetration " + about_in("length", impact.penetration) +
                 ", peak force " + about_in("force", impact.force);
       return line;
@@ -359,7 +361,8 @@ namespace ThermoContact
       log.line("  scales    " + join_words(scales));
     log.line("  steady    " + describe_rest(forecast.rest, scene));
     if (forecast.impact)
-      log.line("  impact    " + describe_impact(*forecast.impact, units));
+      log.line("  impact    " +
+               describe_impact(*forecast.impact, scene, units));
     if (forecast.critical_step)
       log.line("  limit     " +
                describe_critical_step(*forecast.critical_step, scene, units));

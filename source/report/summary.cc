@@ -63,8 +63,7 @@ namespace ThermoContact
         {"difference_temperature_end",
          record.temperature_end - rest.temperature_end},
         {"predicted_first_contact_time", impact ? impact->time : nan},
-        {"predicted_first_penetration",
-         impact && impact->penetration > 0. ? impact->penetration : nan},
+        {"predicted_first_penetration", impact ? impact->penetration : nan},
         {"predicted_critical_step_size", forecast.critical_step.value_or(nan)},
         {"predicted_steps", forecast.cost.steps}};
       if (!states.empty())

@@ -40,8 +40,8 @@ namespace ThermoContact
   RunHistory::add_maxima(const Scene &scene, const double gap_rate)
   {
     const double force = std::abs(record.contact_force); // of either obstacle
-    max_penetration    = std::max(max_penetration, record.penetration);
-    max_contact_force  = std::max(max_contact_force, force);
+    max_penetration    = std::fmax(max_penetration, record.penetration);
+    max_contact_force  = std::fmax(max_contact_force, force);
     if (!has_rates(scene))
       {
         penetration_peak.add(record.time, record.penetration);

@@ -103,8 +103,6 @@ namespace ThermoContact
     error_norm.add(record.energy_terms);
     energy_monitor.start(record.energy_terms);
     tracker.start(state_, history_.events);
-    history_.max_penetration   = record.penetration;
-    history_.max_contact_force = std::abs(record.contact_force);
     history_.add_maxima(scene_, gap_rate());
   }
 

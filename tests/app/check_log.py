@@ -84,6 +84,19 @@ def faults_of_energy(run):
         yield "a defect of more than two digits"
 
 
+def faults_of_times(run):
+    """The parts of the whole, to three digits, and their shares."""
+    s = {key.removesuffix("_seconds"): value for key, value in run.summary.items()}
+    expected = [max(0, seconds) for seconds in (
+        s["set_up"], s["factorization"], s["solve"] - s["factorization"], s["contact"],
+        s["step"] - s["solve"] - s["contact"], s["loop"] - s["step"], s["output"], s["wall"])]
+    found = re.findall(r"^  (?:time|    )      \S.* (\S+) s +(\S+) %$", run.log, re.MULTILINE)
+    if len(found) != len(expected) or any(
+            abs(float(time) - seconds) > 6e-4 or abs(float(share) - 100 * seconds / s["wall"]) > 0.06
+            for (time, share), seconds in zip(found, expected)):
+        yield f"times: {found} instead of {expected}"
+
+
 def faults_of_start(run):
     """That of the paper ends at u_0 + dt u_1."""
     c = run.contact
@@ -234,7 +247,8 @@ def faults_of_cost(run):
 def faults_of_log(run):
     looks = [faults_of_scales, faults_of_forecast, faults_of_cost, faults_of_start]
     if run.summary["status"] == "done":
-        looks += [faults_of_result, faults_of_energy, faults_of_tenths, faults_of_work]
+        looks += [faults_of_result, faults_of_energy, faults_of_times, faults_of_tenths,
+                  faults_of_work]
     return [fault for look in looks for fault in look(run) if fault]
 
 

@@ -381,6 +381,21 @@ SCENES = [
 ]
 
 
+# What --check says of scenes, and does not say of their neighbours: the first step is that of
+# the paper where nothing forbids it; a body of which all depends on x alone is a rod.
+SAID = [
+    (", start of the paper", EULER,
+     ("Sources/End traction=1", "Contact/Massless nodes=off", "Time/Start=paper"),
+     ("Contact/Massless nodes=on", "Contact/Gap=0.1+t", "Boundary/Fixed end displacement=t^2",
+      "Model/Inertia=0", EXCHANGE[0], "Time/Scheme=sdirk2", "Time/Start=consistent")),
+    ("Dimension = 1 has the same solution", BLOCK + ("Mesh/Cells=1",),
+     ("Initial values/Velocity=x", "Sources/Body force=x; 0; 0", "Sources/Heat source=x*t"),
+     ("Initial values/Velocity=x*y", "Initial values/Displacement=x*z", "Sources/Heat source=z",
+      "Initial values/Temperature=10-x*y", "Initial values/Velocity=x; 0; x", "Contact/Gap=1+y",
+      "Sources/Body force=0; 1; 0", "Boundary/Lateral support=free", LOSS[0])),
+]
+
+
 def overrides(settings):
     return (settings,) if isinstance(settings, str) else settings
 
@@ -426,6 +441,12 @@ def main():
                           f" expected {expected} for {entry}")
     print("refused with the entry named and accepted beside it:",
           "; ".join(faults) or "all")
+
+    screens = [(words, change, change in these, run(
+        "--check", *settings(shared + (change,)), "defaults.prm")[1])
+        for words, shared, these, others in SAID for change in these + others]
+    print("said where it is so:", [change for words, change, is_so, screen in screens
+                                   if (words in screen) != is_so or not screen] or "all")
 
     # a value that a message recommends is no reason for the same message
     remedied = {}

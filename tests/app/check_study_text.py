@@ -97,6 +97,7 @@ def text_of(study, settings, messages):
 def log_lines(study, settings):
     """What log.txt says of the study; times and errors with six digits."""
     is_done = [status == "done" for status in study["status"]]
+    yield f"{settings['Title']} study"
     yield f"study {len(study)} runs, {is_done.count(False)} failed"
     runs = [", ".join(map(" = ".join, zip(names, chosen)))
             for names, _, all_chosen in plan_of(settings["Study/Vary"]) for chosen in all_chosen]

@@ -147,15 +147,18 @@ def check_quantities():
 def check_expressions():
     """Of time, place, gap and pressure; units do not change what runs."""
     t, theta = RHO * C * L**2 / KAPPA, math.sqrt(E * REF / (RHO * C))
-    write("drives.prm", {
+    Path("far").mkdir(exist_ok=True)
+    Path("far/load.csv").write_text("t, F\n0, 0\n1, 7e4\n", encoding="utf-8")
+    write("far/drives.prm", {
         "Boundary/Fixed end temperature": ["300 + 50*sin(1e-2*t)"],
         "Boundary/Heat exchange": ["if(pressure > 2e6, 9, 7/(1 + gap/1e-5))"],
         "Boundary/Fixed end displacement": ["1e-5*(1 - cos(3e-3*t))"],
         "Contact/Gap": ["5e-5 + 1e-6*t/3600"], "Contact/Stiffness": ["1e9"],
         "Initial values/Temperature": ["theta_A + 2*x/0.3"],
         "Initial values/Velocity": ["1e-9*x"], "Time/End time": ["1e3"],
-        "Sources/Body force": ["1e3*x*exp(-1e-3*t)"], "Rod/Small terms": ["dropped"]}, 0)
-    found = scene_of("drives.prm", "Rod/Small terms=kept")
+        "Sources/Body force": ["1e3*x*exp(-1e-3*t)"], "Rod/Small terms": ["dropped"],
+        "Sources/End traction": ["table(load.csv, t)"]}, 0)
+    found = scene_of("far/drives.prm", "Rod/Small terms=kept")
     names = {**vars(math), "exchange": lambda is_so, a, b: a if is_so else b}
     for path, variables, by_hand in (
             ("Boundary/Fixed end temperature", {"t": 0.01},
@@ -284,6 +287,14 @@ def check_heads():
     results("shaken-rod", "Study/Vary=Constants/frequency = 1700")
     ends = Run("shaken-rod/run-0").tables["poincare.csv"]["displacement_end"]
     check("shaken rod", ends[-1], -0.856131e-6, 3e-6)
+    # a base that moves by B (1 - cos(2 pi f t)): until its wave has come back, d'Alembert's end
+    # is at twice that L/c later; waves are adiabatic, c^2 = (1 + a^2) E/rho, a^2 = E alpha^2 T/(rho C)
+    stop = results("hertzian-stop", "Time/End time=0.5 ms")
+    d, v, force = (stop.contact[n] for n in ("penetration", "velocity_end", "contact_force"))
+    check("stop, force", sum(force), sum(1.54e10 * d**1.5 * (1 + 0.15 * v)), 1e-9)
+    wave = math.sqrt((1 + 2.1e11 * 12e-6**2 * 293.15 / (7850 * 440)) * 2.1e11 / 7850)
+    check("stop, first contact", stop.events["time"][0],
+          1e3 * 0.2 / wave + math.acos(1 - 5 / 40) / (4 * math.pi), 1e-3)
     block = results("curved-stop")
     force, pressure = last(block, "contact_force") / 0.01, last(block, "max_pressure")
     check("block, pressure", pressure, math.sqrt(force * 2.1e11 / 0.91 / (math.pi * 0.1)), 0.05)
@@ -319,11 +330,15 @@ def check_other_rods():
 
 
 def check_doubts():
-    """A number that hardly is in SI base units."""
+    """A number that hardly is in SI base units; an exponent that is none, beside a unit."""
     screen = run("--check", "--output", "doubts", "--set", "Rod/Density=7.85",
                  PRM / "steel-rod.prm")[1]
     if "doubt     Rod/Density = 7.85: is that in kg/m^3, or 7.85 g/cm^3?" not in screen:
         faults.append(f"no doubt of a density of 7.85: {screen}")
+    message = run("--check", *settings(("Contact/Condition=power law", "Contact/Exponent=high",
+                                        "Contact/Stiffness=1e8 N/m")), PRM / "steel-rod.prm")[2]
+    if not message.startswith("Contact/Exponent = high\n"):
+        faults.append(f"an exponent that is none: {message}")
 
 
 for checks in (check_quantities, check_expressions, check_missing, check_choices, check_twins,

@@ -64,7 +64,6 @@ ENERGY = [
     (("Time/Scheme=sdirk3", "Time/Step size=0.02"), 1e-3, 0,
      SMALLER + MASSLESS + CONSERVING),  # 1.8 times
     (("Time/Step size=0.03",), 1e-3, 0, None),  # 0.63 times
-    (("Time/Step size=0.05",), 1e-3, 0, None),
     (("Time/Locate contact events=true",), 1e-3, 0, None),
     (("Time/Scheme=backward euler",), 1e-9, 0, None),
     # the first step ends behind the obstacle by rounding, as any may at it

@@ -669,6 +669,8 @@ def check_head(run):
              "time": f"T = {s.number('Time/End time'):g}"}
     if dim > 1:
         lines["body"] += f", sides 1 : {across / cells / width:g}, lateral faces: "
+        lines |= {"memory": "about 0.1",  # 0.17 GB of the process itself, and a bit
+                  "set up": f" s, factorised at once: {run.summary['factorized_unknowns']}"}
     if s["Time/Step size"] != "automatic":
         lines["time"] = f"dt = 0.01, {100 * s.number('Time/End time'):g} steps, " + lines["time"]
     if scene.moves:

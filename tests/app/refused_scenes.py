@@ -98,4 +98,7 @@ def unmet_refusals(messages):
                 line = text.count("\n", 0, begin) + 1
                 unmet.append(f"{path.name}, about line {line}: "
                              f"{(missing or fixed)[0]!r}")
+        # why a scheme cannot do it
+        unmet += [reason for reason in re.findall(r'scheme\.(?:needs|cannot)\w+ =\s*"(.*)";', text)
+                  if not any(reason in message for message in messages)]
     return unmet

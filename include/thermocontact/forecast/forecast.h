@@ -6,6 +6,7 @@
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/scene/scene.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,10 +66,12 @@ namespace ThermoContact
   /** What the rod does at its first impact, estimated. */
   struct FirstImpact
   {
-    double time        = 0.;
-    double velocity    = 0.; ///< $u_t(1)>0$ just before
-    double penetration = 0.; ///< largest of the contact; 0: rigid obstacle
-    double force       = 0.; ///< largest of the contact; none if rigid
+    double time     = 0.;
+    double velocity = 0.; ///< $u_t(1)>0$ just before
+
+    // largest of the contact; NaN: rigid obstacle
+    double penetration = std::numeric_limits<double>::quiet_NaN();
+    double force       = penetration;
   };
 
 

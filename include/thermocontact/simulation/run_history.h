@@ -9,6 +9,7 @@
 #include <thermocontact/time/step_controller.h>
 #include <thermocontact/time/time_integrator.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,9 @@ namespace ThermoContact
      */
     double max_energy_increase = 0.;
 
-    // of the states so far
-    double max_penetration   = 0.;
-    double max_contact_force = 0.;
+    // of the states so far; NaN: nothing moves
+    double max_penetration   = std::numeric_limits<double>::quiet_NaN();
+    double max_contact_force = max_penetration;
 
     // the same between step ends, as far as these tell
     SampledPeak penetration_peak;
