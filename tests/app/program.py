@@ -24,13 +24,12 @@ def run(*arguments, memory=None, file_size=None, seconds=None):
 
     memory, file_size: limits in bytes; seconds: of the processor.
     """
-    import tempfile
-    with tempfile.TemporaryDirectory() as directory:
-        screen, message = Path(directory, "stdout"), Path(directory, "stderr")
-        status = status_of(arguments, screen, message, memory=memory, file_size=file_size,
-                           seconds=seconds)
-        words = message.read_text().partition("thermocontact: ")[2]
-        return status, screen.read_text(), re.sub(r"^command line: ", "", words)
+    with (open(os.memfd_create("screen"), encoding="utf-8") as screen,
+          open(os.memfd_create("message"), encoding="utf-8") as message):
+        status = status_of(arguments, *(f"/proc/{os.getpid()}/fd/{file.fileno()}" for file in (
+            screen, message)), memory=memory, file_size=file_size, seconds=seconds)
+        words = message.read().partition("thermocontact: ")[2]
+        return status, screen.read(), re.sub(r"^command line: ", "", words)
 
 
 def for_all(function, arguments):
