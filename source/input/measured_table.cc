@@ -8,9 +8,11 @@
 
 #include <deal.II/base/utilities.h>
 
+// pchip.hpp of boost 1.74 lacks the isnan that it calls
+// clang-format off
+#include <boost/math/special_functions/fpclassify.hpp>
 #include <boost/math/interpolators/pchip.hpp>
-
-#include <math.h> // the isnan of pchip.hpp in boost 1.74
+// clang-format on
 
 #include <algorithm>
 #include <optional>

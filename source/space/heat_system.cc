@@ -30,6 +30,8 @@ namespace ThermoContact
       inverse_diagonal = equations.cell_products()->diagonal(Field::temperature,
                                                              is_mass ? 1. : 0.,
                                                              is_mass ? 0. : 1.);
+    if (!is_mass)
+      inverse_diagonal += diagonal;
     for (double &entry : inverse_diagonal)
       entry = 1. / entry;
   }
