@@ -238,8 +238,8 @@ def main():
     else:
         if (reference / "obstacle.pvd").exists():
             check_obstacle(reference)
-        pairs = ((1, 1), (2, 2), (1, 2), (2, 1), (2, 3)) if (
-            reference / "obstacle.pvd").exists() else ((2, 2), (2, 1))
+        pairs = [(2, 1)] if "power law" in Path("scene.prm").read_text() else [(2, 2), (2, 1)]
+        pairs += [(1, 1), (1, 3)] if (reference / "obstacle.pvd").exists() else []
         halves = {}
         for ranks in {first for first, _ in pairs}:
             directory = Path(f"half-{ranks}")
