@@ -57,7 +57,7 @@ namespace ThermoContact
 
 
     void
-    check_name(const Assignment &constant)
+    check_constant(const Assignment &constant)
     {
       const std::string name = constant_name(constant.path);
       if (name == name_of_constants || !can_name_constant(name))
@@ -156,7 +156,7 @@ namespace ThermoContact
       {
         if (!is_constant_path(assignment.path))
           continue;
-        check_name(assignment);
+        check_constant(assignment);
         texts[constant_name(assignment.path)] = assignment.value;
         if (assignment.place == command_line_place)
           check_use(assignment, assignments);

@@ -73,11 +73,11 @@ namespace ThermoContact
 
 
     [[noreturn]] void
-    refuse(const std::string &path,
-           const std::string &text,
-           const std::string &fault,
-           const std::string &allowed,
-           const std::size_t  position = nowhere)
+    refuse_formula(const std::string &path,
+                   const std::string &text,
+                   const std::string &fault,
+                   const std::string &allowed,
+                   const std::size_t  position = nowhere)
     {
       throw InputError(path + " = " + quote(text) + ": " + fault +
                        (position == nowhere || text.empty() ?
@@ -113,7 +113,7 @@ namespace ThermoContact
     read()
     {
       if (skip_blanks() == '\0')
-        refuse(path, text, "an empty expression", "0 for none", next);
+        refuse_formula(path, text, "an empty expression", "0 for none", next);
       choice();
       const char left = skip_blanks();
       if (left == ')')
@@ -177,11 +177,12 @@ namespace ThermoContact
     [[noreturn]] void
     cannot_read(const std::string &fault, const std::size_t position = nowhere)
     {
-      refuse(path,
-             text,
-             "cannot be read: " + fault,
-             "an expression in " + join_words(known_names()) + words_of_units(),
-             position == nowhere ? next : position);
+      refuse_formula(path,
+                     text,
+                     "cannot be read: " + fault,
+                     "an expression in " + join_words(known_names()) +
+                       words_of_units(),
+                     position == nowhere ? next : position);
     }
 
 
@@ -347,7 +348,7 @@ namespace ThermoContact
     refuse_assignment()
     {
       if (skip_blanks() == '=')
-        refuse(path, text, "an '='", "== to compare", next);
+        refuse_formula(path, text, "an '='", "== to compare", next);
     }
 
 
@@ -408,11 +409,12 @@ namespace ThermoContact
       if (skip_blanks() == '\0')
         cannot_read("a ')' is missing");
       if (at(next) == ',')
-        refuse(path,
-               text,
-               "a ',' that separates no arguments",
-               "a decimal point, and ',' between arguments of functions",
-               next);
+        refuse_formula(
+          path,
+          text,
+          "a ',' that separates no arguments",
+          "a decimal point, and ',' between arguments of functions",
+          next);
       cannot_read("an operator or a ')' is missing before " + next_word() +
                   ", for the '(' at column " + std::to_string(begin + 1));
     }
@@ -477,11 +479,11 @@ namespace ThermoContact
       if (name == "table" || name == "smooth")
         return read_table(name, parenthesis);
       if (name == "rand" || name == "rand_seed")
-        refuse(path,
-               text,
-               name + "() has another value each time",
-               "functions of position and time",
-               begin);
+        refuse_formula(path,
+                       text,
+                       name + "() has another value each time",
+                       "functions of position and time",
+                       begin);
       const Operation *const function = find_operation(name);
       if (function == nullptr)
         cannot_read("there is no function '" + quote(name) + "()'" +
@@ -633,18 +635,19 @@ namespace ThermoContact
         if (varies)
           variables[first - variable_names.begin()] = i / 16.;
         if (!std::isfinite(evaluate(variables.data())))
-          refuse(path_,
-                 text_,
-                 "not finite" +
-                   (varies ? " at " + *first + " = " +
-                               significant(i / 16., few_digits) :
-                             "") +
-                   (varies && *first != "t" && variable_names.back() == "t" ?
-                      ", t = 0" :
-                      ""),
-                 "expressions that are finite" +
-                   (varies ? " on 0 <= " + *first + " <= 1" : ""),
-                 position);
+          refuse_formula(path_,
+                         text_,
+                         "not finite" +
+                           (varies ? " at " + *first + " = " +
+                                       significant(i / 16., few_digits) :
+                                     "") +
+                           (varies && *first != "t" &&
+                                variable_names.back() == "t" ?
+                              ", t = 0" :
+                              ""),
+                         "expressions that are finite" +
+                           (varies ? " on 0 <= " + *first + " <= 1" : ""),
+                         position);
       }
   }
 
@@ -751,13 +754,14 @@ namespace ThermoContact
       if (text[i] == ';')
         begins.push_back(i + 1);
     if (begins.size() != 1 && begins.size() != n_components)
-      refuse(path,
-             text,
-             std::to_string(begins.size()) + " components",
-             n_components > 1 ? "1 (axial) or " + std::to_string(n_components) +
-                                  ", separated by ';'" :
-                                "one expression, without ';'",
-             begins[std::min<std::size_t>(n_components, begins.size() - 1)]);
+      refuse_formula(
+        path,
+        text,
+        std::to_string(begins.size()) + " components",
+        n_components > 1 ? "1 (axial) or " + std::to_string(n_components) +
+                             ", separated by ';'" :
+                           "one expression, without ';'",
+        begins[std::min<std::size_t>(n_components, begins.size() - 1)]);
     std::vector<Expression> components;
     begins.push_back(text.size() + 1);
     for (unsigned int c = 0; c + 1 < begins.size(); ++c)

@@ -26,9 +26,9 @@ namespace ThermoContact
 
 
     [[noreturn]] void
-    refuse(const Parameters  &parameters,
-           const std::string &position,
-           const std::string &fault)
+    refuse_position(const Parameters  &parameters,
+                    const std::string &position,
+                    const std::string &fault)
     {
       const unsigned int dim = parameters.dimension;
       std::string limits     = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
@@ -57,20 +57,20 @@ namespace ThermoContact
       {
         const auto coordinates = split(part, ',');
         if (coordinates.size() != dim)
-          refuse(*this,
-                 part,
-                 text("has ",
-                      coordinates.size(),
-                      " coordinates, Dimension is ",
-                      dim));
+          refuse_position(*this,
+                          part,
+                          text("has ",
+                               coordinates.size(),
+                               " coordinates, Dimension is ",
+                               dim));
         positions.push_back({{0., 0., 0.}});
         for (unsigned int d = 0; d < dim; ++d)
           {
             const auto x = parse_number(coordinates[d]);
             if (!x)
-              refuse(*this, part, "is no position");
+              refuse_position(*this, part, "is no position");
             if (!(*x >= 0. && *x <= (d == 0 ? 1. : mesh.width)))
-              refuse(*this, part, "is not in the body");
+              refuse_position(*this, part, "is not in the body");
             positions.back()[d] = *x;
           }
       }

@@ -69,11 +69,11 @@ namespace ThermoContact
      */
     template <bool add, unsigned int n_static, typename Number>
     void
-    multiply(const Band<Number> &band,
-             const unsigned int  n_blocks,
-             const std::size_t   n_inner,
-             const Number       *x,
-             Number             *y)
+    multiply_band(const Band<Number> &band,
+                  const unsigned int  n_blocks,
+                  const std::size_t   n_inner,
+                  const Number       *x,
+                  Number             *y)
     {
       using Batched                  = Lanes<Number>;
       constexpr unsigned int n_lanes = Batched::n_lanes;
@@ -108,18 +108,18 @@ namespace ThermoContact
 
     template <bool add, typename Number>
     void
-    multiply(const Band<Number> &band,
-             const unsigned int  n_blocks,
-             const std::size_t   n_inner,
-             const Number       *x,
-             Number             *y)
+    multiply_band(const Band<Number> &band,
+                  const unsigned int  n_blocks,
+                  const std::size_t   n_inner,
+                  const Number       *x,
+                  Number             *y)
     {
       if (band.width == 3) // those of degree 2
-        multiply<add, 3>(band, n_blocks, n_inner, x, y);
+        multiply_band<add, 3>(band, n_blocks, n_inner, x, y);
       else if (band.width == 5)
-        multiply<add, 5>(band, n_blocks, n_inner, x, y);
+        multiply_band<add, 5>(band, n_blocks, n_inner, x, y);
       else
-        multiply<add, 0>(band, n_blocks, n_inner, x, y);
+        multiply_band<add, 0>(band, n_blocks, n_inner, x, y);
     }
 
 
@@ -434,8 +434,9 @@ namespace ThermoContact
       of_nodes.clear();
       for (const unsigned int entry : entries)
         of_nodes.push_back(rest.local_element(entry));
-      multiply<false>(of_b, a.n_nodes, n_c, of_nodes.data(), of_half.data());
-      multiply<true>(of_a, 1, m_b * n_c, of_half.data(), sum.data());
+      multiply_band<false>(
+        of_b, a.n_nodes, n_c, of_nodes.data(), of_half.data());
+      multiply_band<true>(of_a, 1, m_b * n_c, of_half.data(), sum.data());
     };
     add(family.of_a, squared(a.value_transposed), squared(b.slope_transposed));
     add(family.of_b, squared(a.slope_transposed), squared(b.value_transposed));
@@ -493,10 +494,11 @@ namespace ThermoContact
       {
         // the curl of f(a) g(b) is (f g', - f' g)
         gather(family.of_b, of_b);
-        multiply<false>(b.slope_transposed, n_a, n_c, of_a, half.data());
-        multiply<false>(a.value_transposed, 1, of_half, half.data(), flow);
-        multiply<false>(b.value_transposed, n_a, n_c, of_b, half.data());
-        multiply<false>(a.slope_transposed, 1, of_half, half.data(), other);
+        multiply_band<false>(b.slope_transposed, n_a, n_c, of_a, half.data());
+        multiply_band<false>(a.value_transposed, 1, of_half, half.data(), flow);
+        multiply_band<false>(b.value_transposed, n_a, n_c, of_b, half.data());
+        multiply_band<false>(
+          a.slope_transposed, 1, of_half, half.data(), other);
         for (std::size_t i = 0; i < factors.inverse_energies.size(); ++i)
           {
             flow[i]  = factors.inverse_energies[i] * (flow[i] - other[i]);
@@ -513,10 +515,10 @@ namespace ThermoContact
                 of_a);
     if (family.has_flows)
       {
-        multiply<false>(a.value, 1, of_half, flow, half.data());
-        multiply<true>(b.slope, n_a, n_c, half.data(), of_a);
-        multiply<false>(a.slope, 1, of_half, other, half.data());
-        multiply<false>(b.value, n_a, n_c, half.data(), of_b);
+        multiply_band<false>(a.value, 1, of_half, flow, half.data());
+        multiply_band<true>(b.slope, n_a, n_c, half.data(), of_a);
+        multiply_band<false>(a.slope, 1, of_half, other, half.data());
+        multiply_band<false>(b.value, n_a, n_c, half.data(), of_b);
         add(family.of_b, of_b);
       }
     add(family.of_a, of_a);

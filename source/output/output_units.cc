@@ -23,7 +23,7 @@ namespace ThermoContact
 
 
     std::vector<Row>
-    read_rows()
+    read_page()
     {
       std::vector<Row>   rows;
       std::istringstream page(output_page);
@@ -47,7 +47,7 @@ namespace ThermoContact
   const std::string &
   kind_of(const std::string &file, const std::string &name)
   {
-    static const std::vector<Row> rows = read_rows();
+    static const std::vector<Row> rows = read_page();
     for (const Row &row : rows)
       if (row.file == file && fnmatch(row.name.c_str(), name.c_str(), 0) == 0)
         return row.kind;

@@ -213,12 +213,12 @@ namespace ThermoContact
     /** Cells of any degree; of that of the compiler if it is not 0. */
     template <unsigned int fixed_degree, std::size_t n_terms>
     void
-    add_cells(const RodLayout                    &layout,
-              const RodMatrices::Run             &run,
-              const std::array<Factors, n_terms> &terms,
-              const double                        factor,
-              const double                       *base,
-              double *__restrict__ y)
+    add_cells_of_rod(const RodLayout                    &layout,
+                     const RodMatrices::Run             &run,
+                     const std::array<Factors, n_terms> &terms,
+                     const double                        factor,
+                     const double                       *base,
+                     double *__restrict__ y)
     {
       const unsigned int p = fixed_degree > 0 ? fixed_degree : layout.degree;
       const unsigned int n = p + 1;
@@ -277,7 +277,8 @@ namespace ThermoContact
                          is_of_differences(run, terms[k].matrix),
                          of_constant(run, terms[k].matrix)};
           if constexpr (degree.value != 1)
-            add_cells<degree.value>(layout_, run, of_run, factor, base, y);
+            add_cells_of_rod<degree.value>(
+              layout_, run, of_run, factor, base, y);
           else if (base == nullptr)
             add_linear<n_terms, false>(run, of_run, factor, base, y);
           else

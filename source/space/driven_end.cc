@@ -36,9 +36,9 @@ namespace ThermoContact
 
 
     double
-    dot(const std::vector<unsigned int> &entries,
-        const Vector                    &a,
-        const Vector                    &b)
+    product_at(const std::vector<unsigned int> &entries,
+               const Vector                    &a,
+               const Vector                    &b)
     {
       double sum = 0.;
       for (const unsigned int entry : entries)
@@ -162,17 +162,17 @@ namespace ThermoContact
     Vector                           excess = state.temperature;
     excess -= energy.steady_profile();
     equations.heat_mass.vmult(heat_product, temperature_rate);
-    double sum = dot(end, heat_product, excess);
+    double sum = product_at(end, heat_product, excess);
     equations.conduction.vmult(heat_product, excess);
-    sum += dot(end, heat_product, excess);
+    sum += product_at(end, heat_product, excess);
     if (scene.material.has_heating())
       {
         equations.divergence.vmult(heat_product, state.velocity);
-        sum += scene.material.heating * dot(end, heat_product, excess);
+        sum += scene.material.heating * product_at(end, heat_product, excess);
       }
     // what the surroundings give is part of the state of rest
-    return sum - dot(end, heat_load, excess) +
-           dot(end, loads.outer_heat(), excess);
+    return sum - product_at(end, heat_load, excess) +
+           product_at(end, loads.outer_heat(), excess);
   }
 
 
@@ -185,9 +185,9 @@ namespace ThermoContact
   {
     equations.momentum_residual(
       state, &state.velocity, &acceleration, momentum_load, momentum_product);
-    return -dot(entries_[Field::displacement],
-                momentum_product,
-                state.velocity);
+    return -product_at(entries_[Field::displacement],
+                       momentum_product,
+                       state.velocity);
   }
 
 

@@ -9,7 +9,7 @@ on two ranks; then the same after SIGTERM, with a row that was cut off, with ano
 another study and tables of others, which are refused, with a table that is shorter when
 it is written anew, with rows that vanish, and with a file that may not grow. All
 columns but times have to be those of DIR, and so do study.txt and study.md. THERMOCONTACT_KILLS is the
-number of kills, 4 unless it is set.
+number of kills, 2 unless it is set.
 """
 import csv
 import os
@@ -26,7 +26,7 @@ sys.dont_write_bytecode = True
 from program import started_by, status_of  # noqa: E402
 
 PROGRAM = os.environ["THERMOCONTACT"]
-N_KILLS = int(os.environ.get("THERMOCONTACT_KILLS", "4"))
+N_KILLS = int(os.environ.get("THERMOCONTACT_KILLS", "2"))
 MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]
 reference = Path(sys.argv[1])
 

@@ -69,6 +69,19 @@ namespace
 
 
 
+  int
+  call_program(std::vector<std::string> words)
+  {
+    words.emplace(words.begin(), "thermocontact");
+    std::vector<char *> pointers;
+    for (std::string &word : words)
+      pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return program_main(words.size(), pointers.data());
+  }
+
+
+
   [[noreturn]] void
   run_program(const nlohmann::json &request)
   {
@@ -82,14 +95,7 @@ namespace
     set_limit(RLIMIT_FSIZE, request, "file_size");
     set_limit(RLIMIT_CPU, request, "seconds");
 
-    std::vector<std::string> words = {"thermocontact"};
-    for (const auto &argument : request.at("arguments"))
-      words.push_back(argument);
-    std::vector<char *> pointers;
-    for (std::string &word : words)
-      pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    const int status = program_main(words.size(), pointers.data());
+    const int status = call_program(request.at("arguments"));
     std::cout.flush();
     std::fflush(nullptr);
     _exit(status); // the destructors of two hundred libraries take a quarter
@@ -101,18 +107,12 @@ namespace
   void
   run_once(const std::string &directory)
   {
-    std::string         words[] = {"thermocontact",
-                                   "--quiet",
-                                   "--output",
-                                   directory + "/first",
-                                   "--set",
-                                   "Time/End time=0.01",
-                                   PRM_DIR "/paper/experiment-1.prm"};
-    std::vector<char *> pointers;
-    for (std::string &word : words)
-      pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    if (program_main(pointers.size() - 1, pointers.data()) != 0)
+    if (call_program({"--quiet",
+                      "--output",
+                      directory + "/first",
+                      "--set",
+                      "Time/End time=0.01",
+                      PRM_DIR "/paper/experiment-1.prm"}) != 0)
       std::abort();
     optind = 1; // as the next finds it
   }

@@ -6,7 +6,9 @@
 # file may include what is in its own room and in the rooms above it. Fails on
 # an include that goes down the table, on a folder that the table does not name
 # and the reverse, and on a header of another room whose path is not spelled
-# out. Begins with a test of itself, on a tree with a wrong include.
+# out. Rooms are compiled together, so a function in an anonymous namespace has a
+# name that no other one has: an overload that a file did not mean would be called.
+# Begins with a test of itself, on a tree with a wrong include.
 
 import pathlib
 import re
@@ -61,6 +63,14 @@ def faults_of(project):
                         f"{path.relative_to(project)} includes {name}: "
                         f"the room {here} must not know {there}, which is "
                         "below it in doc/architecture.md")
+    places = {}
+    for path in sorted(sources.rglob("*.cc")):
+        for body in re.findall(r"^  namespace\n  \{$(.*?)^  \} // namespace",
+                               path.read_text(), re.M | re.S):
+            for name in re.findall(r"^    (\w+)\(", body, re.M):
+                places.setdefault(name, set()).add(str(path.relative_to(project)))
+    faults += [f"{name}(): in {', '.join(sorted(files))}; say what is different"
+               for name, files in places.items() if len(files) > 1]
     if n_arrows == 0:
         faults.append("no include was found")
     return faults

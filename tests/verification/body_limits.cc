@@ -113,9 +113,9 @@ namespace
                              "Contact/Gap=0.02",
                              "Contact/Massless nodes=on",
                              "Initial values/Velocity=0.5*x",
-                             "Mesh/Cells=6",
+                             "Mesh/Cells=4",
                              "Mesh/Degree=2",
-                             "Time/Step size=0.02",
+                             "Time/Step size=0.03",
                              "Time/End time=3"};
     const Overrides sides = {"Boundary/Lateral support=free",
                              "Mesh/Cells across=2"};
@@ -271,13 +271,13 @@ main_body_limits()
   initlog();
   check_rod("normal compliance");
   check_rod("rigid");
-  for (const std::string poisson_ratio : {"-0.3", "0.3", "0.45"})
+  for (const std::string poisson_ratio : {"-0.3", "0.45"})
     {
       check_axis({false, true, poisson_ratio, "32"});
       check_axis({true, true, poisson_ratio, "32"});
     }
-  check_axis({false, false, "0.3", "64"});
-  check_axis({true, false, "0.3", "64"});
+  check_axis({false, false, "0.3", "48"});
+  check_axis({true, false, "0.3", "48"});
   check_symmetry("direct", {});
   check_symmetry("iterative", {"Solver/Linear tolerance=1e-12"});
 }
