@@ -13,7 +13,6 @@ namespace ThermoContact
 {
   namespace
   {
-
     /**
      * A load is nearly a parabola in a span if it is off by that part of its
      * change there.

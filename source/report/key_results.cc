@@ -11,8 +11,6 @@ namespace ThermoContact
 {
   namespace
   {
-
-
     double
     contact_begins(const Scene &, const RunHistory &history)
     {

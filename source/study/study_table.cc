@@ -21,7 +21,6 @@ namespace ThermoContact
 {
   namespace
   {
-
     /** The middle of numbers in order of size; NaN if there are none. */
     double
     median(const std::vector<double> &sorted)

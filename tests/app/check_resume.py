@@ -6,8 +6,8 @@ each time, and compares with the uninterrupted run, byte by byte.
 usage: check_resume.py DIR
 
 DIR holds a finished run with checkpoints. Wall times and memory are left out,
-and used.prm, which names the directory. Then: the same after SIGTERM, with a
-SIGHUP that is ignored, after a file that may not grow any more; SIGTERM in a repeat for error bars.
+and used.prm, which names the directory. Before, one run again, that ignores SIGHUP; then:
+the same after SIGTERM, after a file that may not grow any more; SIGTERM in a repeat for error bars.
 """
 import json
 import os
@@ -184,9 +184,10 @@ def main():
     expected = contents(reference)
     for directory in ("hung up", "killed", "termi nated", "limited"):
         shutil.rmtree(directory, ignore_errors=True)
-    status, steps, seconds = Run(reference, Path("hung up")).steps_of_checkpoints()
+    again = Run(reference, Path("hung up"))
+    status, steps, seconds = again.steps_of_checkpoints()
     few = seconds / INTERVAL + 3  # none, the first, the last
-    print(f"again, hung up: status {status},", compare(expected, Path("hung up")), "checkpoints",
+    print(f"again{'' if again.launcher else ', hung up'}: status {status},", compare(expected, Path("hung up")), "checkpoints",
           "at their interval" if 1 < len(steps) <= few else f"{len(steps)} in {seconds} s")
     kill_again_and_again(reference, expected, seconds)
     # long enough, attempts of steps, and a table that is larger than all other files

@@ -291,7 +291,8 @@ def check_heads():
     # is at twice that L/c later; waves are adiabatic, c^2 = (1 + a^2) E/rho, a^2 = E alpha^2 T/(rho C)
     stop = results("hertzian-stop", "Time/End time=0.5 ms")
     d, v, force = (stop.contact[n] for n in ("penetration", "velocity_end", "contact_force"))
-    check("stop, force", sum(force), sum(1.54e10 * d**1.5 * (1 + 0.15 * v)), 1e-9)
+    law = 1.54e10 * d**1.5 * (1 + 0.15 * v)
+    check("stop, force", 1 + max(abs(force - law)) / max(law), 1, 1e-9)
     wave = math.sqrt((1 + 2.1e11 * 12e-6**2 * 293.15 / (7850 * 440)) * 2.1e11 / 7850)
     check("stop, first contact", stop.events["time"][0],
           1e3 * 0.2 / wave + math.acos(1 - 5 / 40) / (4 * math.pi), 1e-3)

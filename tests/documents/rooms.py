@@ -69,6 +69,8 @@ def faults_of(project):
                                path.read_text(), re.M | re.S):
             for name in re.findall(r"^    (\w+)\(", body, re.M):
                 places.setdefault(name, set()).add(str(path.relative_to(project)))
+    if not places:
+        faults.append("no function in an anonymous namespace was found")
     faults += [f"{name}(): in {', '.join(sorted(files))}; say what is different"
                for name, files in places.items() if len(files) > 1]
     if n_arrows == 0:
@@ -77,8 +79,11 @@ def faults_of(project):
 
 
 def check_self():
-    """A tree with one include that goes down, and the same without it."""
-    for include, n_faults in (("low/a.h", 1), ("high/b.h", 0)):
+    """A tree with one include that goes down, one with a function twice, and one
+    without a fault."""
+    function = "namespace A\n{\n  namespace\n  {\n    int\n    %s()\n  } // namespace\n}\n"
+    for include, name, n_faults in (("low/a.h", "f", 1), ("high/b.h", "f", 0),
+                                    ("high/b.h", "g", 1)):
         with tempfile.TemporaryDirectory() as folder:
             project = pathlib.Path(folder)
             for name, text in (
@@ -86,14 +91,15 @@ def check_self():
                      "## Rooms\n| `high` | x |\n| `low` | x |\n"),
                     ("include/thermocontact/low/a.h", ""),
                     ("include/thermocontact/high/b.h", ""),
-                    ("source/low/a.cc", "#include <thermocontact/low/a.h>\n"),
+                    ("source/low/a.cc",
+                     "#include <thermocontact/low/a.h>\n" + function % "g"),
                     ("source/high/b.cc",
-                     f"#include <thermocontact/{include}>\n")):
+                     f"#include <thermocontact/{include}>\n" + function % name)):
                 (project / name).parent.mkdir(parents=True, exist_ok=True)
                 (project / name).write_text(text)
             if len(faults_of(project)) != n_faults:
-                return [f"rooms.py: {include} in room high is not judged "
-                        f"right: {faults_of(project)}"]
+                return [f"rooms.py: {include} in room high, {name}(), is not "
+                        f"judged right: {faults_of(project)}"]
     return []
 
 

@@ -128,7 +128,7 @@ class Project:
         """Result, and the calls of the stand-ins."""
         self.calls.write_text("")
         clean = {key: value for key, value in os.environ.items()
-                 if not key.startswith(("OMPI_", "NRANKS"))}
+                 if not key.startswith(("OMPI_", "NRANKS", "MAKE"))}
         result = subprocess.run(
             [self.top / "scripts" / script, *arguments], capture_output=True,
             text=True, env={**clean, "CALLS": str(self.calls), "PATH":
@@ -159,7 +159,7 @@ def check_build(top):
               "scripts: building (Release), a few minutes" in lines and
               shown in lines and lines[-1] == "scripts: building failed; "
               f"its log: {tree}/build.log", result.stderr)
-    project.stand_in(tree / "thermocontact")
+    project.stand_in(tree / "libthermocontact.a")
     result, calls = project.run("build", "Release")
     check("nothing to build", result.returncode == 0 and not result.stderr and
           not result.stdout and len(calls) == 1 and re.fullmatch(
@@ -171,10 +171,13 @@ def check_build(top):
           calls[1].startswith(f"make -C {top}/build/debug -j") and
           calls[1].endswith(" one two"), str(calls))
     (tree / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={top}\n")
-    (tree / "Makefile").touch()
-    result, calls = project.run("build", "Release")
-    check("configured here", [call.split()[0] for call in calls] == ["make"],
-          str(calls))
+    (tree / "Makefile").write_text("one:\n")
+    for target, expected in (("one", ["make"]), ("new", ["cmake", "make"])):
+        result, calls = project.run("build", "Release", target)
+        check(f"configured here, {target}", [call.split()[0] for call in calls] ==
+              expected, str(calls))
+    result, calls = project.run("build", "Release", MAKEFLAGS="--jobserver-auth=3,4")
+    check("jobs of make", calls == [f"make -C {tree} thermocontact"], str(calls))
     (tree / "CMakeCache.txt").write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/else\n")
     result, calls = project.run("build", "Release")
     check("configured elsewhere", [call.split()[0] for call in calls] ==

@@ -85,12 +85,9 @@ namespace
                         const double free_end)
   {
     double low = 0., high = std::max({start, free_end, 0.}) / e;
-    for (unsigned int i = 0; i < 2000; ++i)
-      {
-        const double p = 0.5 * (low + high);
-        (p < mean_slope(e, start, free_end - 2. * receptance * p) ? low :
-                                                                    high) = p;
-      }
+    for (double p = 0.5 * high; p != low && p != high; p = 0.5 * (low + high))
+      (p < mean_slope(e, start, free_end - 2. * receptance * p) ? low : high) =
+        p;
     return 0.5 * (low + high);
   }
 

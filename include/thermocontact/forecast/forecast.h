@@ -3,10 +3,10 @@
 #ifndef thermocontact_forecast_forecast_h
 #define thermocontact_forecast_forecast_h
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/scene/scene.h>
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,7 +70,7 @@ namespace ThermoContact
     double velocity = 0.; ///< $u_t(1)>0$ just before
 
     // largest of the contact; NaN: rigid obstacle
-    double penetration = std::numeric_limits<double>::quiet_NaN();
+    double penetration = nan;
     double force       = penetration;
   };
 

@@ -3,13 +3,13 @@
 #ifndef thermocontact_simulation_run_history_h
 #define thermocontact_simulation_run_history_h
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/simulation/sampled_peak.h>
 #include <thermocontact/time/step_controller.h>
 #include <thermocontact/time/time_integrator.h>
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,8 +40,8 @@ namespace ThermoContact
      */
     double max_energy_increase = 0.;
 
-    // of the states so far; NaN: nothing moves
-    double max_penetration   = std::numeric_limits<double>::quiet_NaN();
+    // of the states so far; NaN: none, or nothing moves
+    double max_penetration   = nan;
     double max_contact_force = max_penetration;
 
     // the same between step ends, as far as these tell
