@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_spatial_error_monitor_h
 #define thermocontact_simulation_spatial_error_monitor_h
 
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/space/discretization.h>
