@@ -78,8 +78,12 @@ namespace ThermoContact
         while (events.size() == 1 && rod.record().time < impact.time + waves &&
                rod.step())
           ;
-        impact.penetration = rod.history().penetration_peak.estimate();
-        impact.force       = rod.history().force_peak.estimate();
+        if (const double peak = rod.history().penetration_peak.estimate();
+            peak > 0.)
+          {
+            impact.penetration = peak;
+            impact.force       = rod.history().force_peak.estimate();
+          }
         return impact;
       }
     catch (const ComputationError &)

@@ -19,7 +19,7 @@ namespace ThermoContact
   std::string
   SnapshotSeries::write_pvd()
   {
-    if (times_.empty())
+    if (n_listed == times_.size())
       return "";
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\">\n"
@@ -29,7 +29,11 @@ namespace ThermoContact
               significant(time_unit(times_[i]), all_digits) +
               "\" group=\"\" part=\"0\" file=\"" + file_name(i) + "\"/>\n";
     text += "  </Collection>\n</VTKFile>\n";
-    return write_atomically(directory + "/" + name + ".pvd", text);
+    const std::string fault =
+      write_atomically(directory + "/" + name + ".pvd", text);
+    if (fault.empty())
+      n_listed = times_.size();
+    return fault;
   }
 
 
@@ -40,7 +44,10 @@ namespace ThermoContact
     unsigned int i = times_.size();
     while (std::remove(path_of(i).c_str()) == 0)
       ++i;
-    return write_pvd();
+    if (!times_.empty())
+      return write_pvd();
+    std::remove((directory + "/" + name + ".pvd").c_str());
+    return "";
   }
 
 

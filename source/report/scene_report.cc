@@ -10,6 +10,7 @@
 #include <thermocontact/scene/coarser_scenes.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ThermoContact
 {
@@ -158,9 +159,7 @@ namespace ThermoContact
 
 
     std::string
-    describe_impact(const FirstImpact &impact,
-                    const Scene       &scene,
-                    const OutputUnits &units)
+    describe_impact(const FirstImpact &impact, const OutputUnits &units)
     {
       const auto about_in = [&units](const char *kind, const double value) {
         const Conversion &unit = units.of(kind);
@@ -168,7 +167,7 @@ namespace ThermoContact
       };
       std::string line = "about t = " + about_in("time", impact.time) +
                          ", velocity " + about_in("velocity", impact.velocity);
-      if (!scene.contact.law->is_rigid())
+      if (!std::isnan(impact.penetration))
         line += ", peak penetration " + about_in("length", impact.penetration) +
                 ", peak force " + about_in("force", impact.force);
       return line;
@@ -361,8 +360,7 @@ namespace ThermoContact
       log.line("  scales    " + join_words(scales));
     log.line("  steady    " + describe_rest(forecast.rest, scene));
     if (forecast.impact)
-      log.line("  impact    " +
-               describe_impact(*forecast.impact, scene, units));
+      log.line("  impact    " + describe_impact(*forecast.impact, units));
     if (forecast.critical_step)
       log.line("  limit     " +
                describe_critical_step(*forecast.critical_step, scene, units));

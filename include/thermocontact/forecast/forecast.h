@@ -69,7 +69,7 @@ namespace ThermoContact
     double time     = 0.;
     double velocity = 0.; ///< $u_t(1)>0$ just before
 
-    // largest of the contact; NaN: rigid obstacle
+    // largest of the contact; NaN: rigid obstacle, or the scene ends there
     double penetration = nan;
     double force       = penetration;
   };

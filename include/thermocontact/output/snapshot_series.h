@@ -51,7 +51,7 @@ namespace ThermoContact
     }
 
     /**
-     * Writes the PVD file if there are snapshots; returns what is wrong, or
+     * Writes the PVD file if it lacks snapshots; returns what is wrong, or
      * nothing. On one rank.
      */
     std::string
@@ -62,6 +62,7 @@ namespace ThermoContact
     restore(const std::vector<double> &times)
     {
       times_   = times;
+      n_listed = 0;
       n_synced = times.size(); // before the checkpoint was written
     }
 
@@ -84,6 +85,7 @@ namespace ThermoContact
     const std::string   name;
     const Conversion    time_unit;
     std::vector<double> times_;
+    unsigned int        n_listed = 0; ///< snapshots in it
     unsigned int        n_synced = 0; ///< snapshots
 
     /** File of snapshot @p i, from the output directory. */
