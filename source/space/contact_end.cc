@@ -187,14 +187,10 @@ namespace ThermoContact
               [](const ContactNode<dim> &a, const ContactNode<dim> &b) {
                 if ((a.weight > 0.) != (b.weight > 0.))
                   return a.weight > 0.;
-                // in steps between rounding and the distance of two nodes
                 for (unsigned int d = dim - 1; d > 0; --d)
-                  if (const auto i =
-                        std::llround(a.position[d] / Tolerances::step_of_order),
-                      j =
-                        std::llround(b.position[d] / Tolerances::step_of_order);
-                      i != j)
-                    return i < j;
+                  if (std::abs(a.position[d] - b.position[d]) >
+                      Tolerances::same_coordinate)
+                    return a.position[d] < b.position[d];
                 return false;
               });
     return sorted;

@@ -172,21 +172,24 @@ namespace ThermoContact
   void
   Discretization<dim>::add_pins(AffineConstraints<double> &constraints) const
   {
-    const unsigned int first = first_component(Field::displacement);
+    // Corners of the body, each of one cell; those at z = 0 alone.
+    const auto pin = [&](const auto        &cell,
+                         const unsigned int vertex,
+                         const unsigned int direction) {
+      constraints.add_line(cell->vertex_dof_index(
+        vertex, first_component(Field::displacement) + direction));
+    };
     for (const auto &cell : dof_handler_.active_cell_iterators())
-      if (!cell->is_artificial())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const Point<dim> &place = cell->vertex(v);
-            // no translation across; and of a block, no rotation about x
-            const bool is_origin = place.norm() == 0.;
-            const bool is_other  = dim == 3 && place[0] == 0. &&
-                                  place[1] == geometry_.corner()[1] &&
-                                  place[dim - 1] == 0.;
+      if (!cell->is_artificial() && cell->at_boundary(0) &&
+          (dim < 3 || cell->at_boundary(4)))
+        {
+          // no translation across; and of a block, no rotation about x
+          if (cell->at_boundary(2))
             for (unsigned int d = 1; d < dim; ++d)
-              if (is_origin || (is_other && d == 2))
-                constraints.add_line(cell->vertex_dof_index(v, first + d));
-          }
+              pin(cell, 0, d);
+          if (dim == 3 && cell->at_boundary(3))
+            pin(cell, 2, 2);
+        }
   }
 
 

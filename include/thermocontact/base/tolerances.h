@@ -98,10 +98,10 @@ namespace ThermoContact
     inline constexpr double in_cell = 1e-10;
 
     /**
-     * Between the rounding of coordinates, which depends on the ranks, and the
-     * distance of nodes: a step in which they are sorted.
+     * Coordinates of nodes that are closer are one: between their rounding,
+     * which depends on the ranks, and the distance of nodes.
      */
-    inline constexpr double step_of_order = 1e-11;
+    inline constexpr double same_coordinate = 1e-11;
 
     // ---- contact
 
