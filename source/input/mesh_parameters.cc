@@ -46,11 +46,9 @@ namespace ThermoContact
     entry("Grading", grading, Double(1e-8, 1e8))
       .means("Size of the first cell over size of the last, in geometric "
              "progression; 1 is uniform.");
-    entry("Mass matrix", mass_matrix, Selection("consistent|lumped|midpoint"))
-      .means("consistent; lumped (Gauss-Lobatto rule: diagonal); or midpoint "
-             "(one point to a cell), with which waves in an elastic rod of "
-             "equal linear cells have no dispersion if Time/Scheme = energy "
-             "conserving and Time/Step size = h sqrt(b).");
+    entry("Mass matrix", mass_matrix, Selection("consistent|lumped"))
+      .means("consistent, or lumped (Gauss-Lobatto rule: diagonal). That of "
+             "Time/Scheme = box has one point to a cell.");
     entry("Geometry", geometry, Selection(names_of(geometries())))
       .means("What the mesh stands for, for Dimension = 2: " +
              in_words(geometries(),

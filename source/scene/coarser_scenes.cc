@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/method/scheme.h>
 #include <thermocontact/scene/coarser_scenes.h>
 
 #include <cmath>
@@ -21,7 +22,7 @@ namespace ThermoContact
     bool
     has_joined_steps_and_cells(const Parameters &parameters)
     {
-      return parameters.mesh.mass_matrix == "midpoint";
+      return scheme(parameters.time.scheme).has_no_dispersion;
     }
 
 

@@ -221,8 +221,8 @@ namespace ThermoContact
       const ModelParameters &model = parameters.model;
       if (!law.is_active() || model.inertia == 0. || mesh.n_nodes(1) == 2.)
         return false;
-      if (mesh.mass_matrix == "midpoint")
-        return false; // the rule knows no single nodes
+      if (scheme.has_no_dispersion)
+        return false; // its mass matrix knows no single nodes
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
       if (law.damping() > 0.)
@@ -400,7 +400,7 @@ namespace ThermoContact
     , has_symmetry(parameters.boundary.lateral_support == "symmetric")
     , has_sliding_end(parameters.boundary.fixed_end_support == "sliding")
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
-    , has_midpoint_mass(parameters.mesh.mass_matrix == "midpoint")
+    , has_midpoint_mass(scheme.has_no_dispersion)
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
     , linear_solver(
         resolve_linear_solver(parameters,

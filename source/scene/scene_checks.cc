@@ -120,41 +120,50 @@ namespace ThermoContact
     void
     check_mass_matrix(const Scene &scene)
     {
-      const Parameters &parameters = scene.parameters;
-      const std::string value      = parameters.mesh.mass_matrix,
-                        remedy     = "Mesh/Mass matrix = consistent";
-      Refusal{"Mesh/Mass matrix", value, "consistent"}.since(
-        scene.has_lumped_mass && !scene.geometry->has_uniform_weight(),
-        "Mesh/Geometry = " + parameters.mesh.geometry,
-        remedy + ": lumped nodes on the axis would have no mass");
-      if (!scene.has_midpoint_mass)
+      const std::string remedy = "Mesh/Mass matrix = consistent";
+      const Refusal     lumped{"Mesh/Mass matrix", "lumped", "consistent"};
+      lumped.since(scene.has_lumped_mass &&
+                     !scene.geometry->has_uniform_weight(),
+                   "Mesh/Geometry = " + scene.parameters.mesh.geometry,
+                   remedy + ": lumped nodes on the axis would have no mass");
+      lumped.since(scene.has_lumped_mass && scene.has_midpoint_mass,
+                   name_of_scheme(scene),
+                   remedy + ": the scheme has a mass matrix of its own");
+    }
+
+
+
+    /** What a scheme without dispersion is for: Scheme::has_no_dispersion. */
+    void
+    check_dispersion(const Scene &scene)
+    {
+      if (!scene.scheme.has_no_dispersion)
         return;
-      const Refusal midpoint{"Mesh/Mass matrix", value, "consistent or lumped"};
-      midpoint.since(parameters.dimension > 1,
-                     text("Dimension = ", parameters.dimension),
-                     remedy + ": the rule is for waves along a rod");
-      midpoint.since(!scene.fields.has_displacement,
-                     "Model/Fields = " + parameters.model.fields,
-                     remedy + ": the rule is for waves");
-      midpoint.since(!scene.scheme.has_midpoint_rule,
-                     name_of_scheme(scene),
-                     "Time/Scheme = energy conserving, whose rule in time is "
-                     "that of the mass in space");
-      midpoint.since(parameters.mesh.degree != 1,
-                     text("Mesh/Degree = ", parameters.mesh.degree),
-                     "Mesh/Degree = 1: one point to a cell sees no more");
-      midpoint.since(parameters.mesh.grading != 1.,
-                     text("Mesh/Grading = ", parameters.mesh.grading),
-                     "Mesh/Grading = 1: a wave passes all cells in the same "
-                     "time");
-      midpoint.since(scene.material.has_viscosity(),
-                     text("Model/Viscosity = ", parameters.model.viscosity),
-                     "Model/Viscosity = 0: no step is free of dispersion in a "
-                     "viscous rod");
-      midpoint.since(parameters.contact.massless_nodes == "on",
-                     "Contact/Massless nodes = on",
-                     "Contact/Massless nodes = automatic: the contact node "
-                     "keeps its mass");
+      const Parameters &parameters = scene.parameters;
+      const Refusal     scheme{"Time/Scheme",
+                           scene.scheme.name,
+                           "a scheme of another name"};
+      scheme.since(parameters.dimension > 1,
+                   text("Dimension = ", parameters.dimension),
+                   take_default_scheme("that one is for waves along a rod"));
+      scheme.since(!scene.fields.has_displacement,
+                   "Model/Fields = " + parameters.model.fields,
+                   take_default_scheme("that one is for waves"));
+      scheme.since(parameters.mesh.degree != 1,
+                   text("Mesh/Degree = ", parameters.mesh.degree),
+                   "Mesh/Degree = 1: its mass matrix has one point to a cell");
+      scheme.since(
+        parameters.mesh.grading != 1.,
+        text("Mesh/Grading = ", parameters.mesh.grading),
+        "Mesh/Grading = 1: a wave passes all cells in the same time");
+      scheme.since(scene.material.has_viscosity(),
+                   text("Model/Viscosity = ", parameters.model.viscosity),
+                   "Model/Viscosity = 0: no step is free of dispersion in a "
+                   "viscous rod");
+      scheme.since(parameters.contact.massless_nodes == "on",
+                   "Contact/Massless nodes = on",
+                   "Contact/Massless nodes = automatic: the contact node keeps "
+                   "its mass");
     }
 
 
@@ -377,7 +386,7 @@ namespace ThermoContact
       if (!scene.contact.law->is_active())
         return;
       Refusal{"Contact/Massless nodes", "off", "on or automatic"}.since(
-        scheme.needs_massless_contact && !scene.has_midpoint_mass &&
+        scheme.needs_massless_contact &&
           parameters.contact.massless_nodes == "off",
         name_of_scheme(scene),
         "Contact/Massless nodes = automatic");
@@ -457,7 +466,7 @@ namespace ThermoContact
       if (mesh.n_nodes(1) == 2. && scene.contact.law->is_active() &&
           scene.material.has_inertia() &&
           (parameters.contact.massless_nodes == "on" ||
-           (scene.scheme.needs_massless_contact && !scene.has_midpoint_mass)))
+           scene.scheme.needs_massless_contact))
         refuse("Mesh/Cells",
                mesh.cells,
                "at least 2, or Mesh/Degree above 1, for massless contact nodes",
@@ -559,11 +568,11 @@ namespace ThermoContact
              "" :
              text("Time/Step size = ",
                   significant(*size, 6),
-                  ": with Mesh/Mass matrix = midpoint waves travel without "
-                  "dispersion in steps of h sqrt(b) = ",
+                  ": with ",
+                  name_of_scheme(scene),
+                  " waves travel without dispersion in steps of h sqrt(b) = ",
                   significant(passage, 15),
-                  " alone; others are worse than with Mesh/Mass matrix = "
-                  "consistent");
+                  " alone; others are worse than with other schemes");
   }
 
 
@@ -613,6 +622,7 @@ namespace ThermoContact
     check_drives(scene);
     check_fixed_point(scene);
     check_scheme(scene);
+    check_dispersion(scene);
     check_support(scene);
     check_linear_solver(scene);
     check_error_bars(parameters);

@@ -10,27 +10,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** As an assignment, but allocates nothing for states of one layout. */
-    void
-    copy_values(const State &from, State &to)
-    {
-      if (to.contact_pressure.size() != from.contact_pressure.size())
-        {
-          to = from; // the first one: gets its layout
-          return;
-        }
-      set_equal(to.temperature, from.temperature);
-      set_equal(to.displacement, from.displacement);
-      set_equal(to.velocity, from.velocity);
-      to.contact_pressure     = from.contact_pressure;
-      to.exchange_coefficient = from.exchange_coefficient;
-    }
-  } // namespace
-
-
-
   Scheme
   energy_conserving_scheme()
   {
@@ -73,14 +52,7 @@ namespace ThermoContact
     rates.temperature_rate = heat_load;
     rates.velocity         = momentum_load;
     acceleration           = momentum_load;
-    if (!body.law().is_active())
-      return;
-    has_contact_mass = body.scene.has_midpoint_mass;
-    if (has_contact_mass)
-      has_mean_pressure = !body.law().is_rigid() &&
-                          body.law().tangent(1.) >=
-                            0.5 * body.scene.parameters.mesh.contact_spacing();
-    else
+    if (body.law().is_active())
       set_up_contact();
   }
 
@@ -161,9 +133,7 @@ namespace ThermoContact
     move_obstacle(state, time_step);
     assemble_loads(time_step.first_loads, time_step.last_loads);
     solve_without_contact(state, time_step);
-    if (has_contact_mass)
-      apply_step_contact(state, time_step);
-    else if (contact)
+    if (contact)
       apply_contact(state, time_step);
 
     driven.complete(0, rates, acceleration);
@@ -173,16 +143,14 @@ namespace ThermoContact
             0.5 * size,
             rates.temperature_rate);
 
-    copy_values(state, result.state);
+    result.state.copy_values(state);
     result.state.time     = time_step.end;
     result.state.gap      = obstacle.gap;
     result.state.gap_rate = obstacle.gap_rate;
     result.state.temperature.add(size, rates.temperature_rate);
     result.state.displacement.add(size, rates.velocity);
     result.state.velocity.sadd(-1., 2., rates.velocity);
-    if (has_contact_mass)
-      finish_step_contact(result.state);
-    else if (contact)
+    if (contact)
       finish_contact(state, time_step, result.state);
 
     result.failure.clear();
@@ -323,44 +291,6 @@ namespace ThermoContact
         new_state.velocity.begin()[entry] =
           (position[node] - old_displacement[node]) / time_step.size;
       }
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyConservingIntegrator<dim>::apply_step_contact(const State    &state,
-                                                      const TimeStep &time_step)
-  {
-    const ContactEnd<dim> &end = body.contact_end();
-    AssertDimension(end.n_nodes(), 1);
-    get_node_laws(body, state, laws, start);
-    // the velocity first, then where it leads
-    end.get_values(Field::displacement, rates.velocity, end_position);
-    end_position[0] =
-      start[0] + (time_step.size * end_position[0] -
-                  (laws[0].side > 0 ? obstacle.gap[0] - state.gap[0] : 0.));
-    rates.pressure.assign(1, 0.);
-    rates.n_iterations = 0;
-    if (laws[0].is_open(start[0]) && laws[0].is_open(end_position[0]))
-      return;
-    if (has_mean_pressure)
-      laws[0].mean_from = start[0];
-    rates.pressure[0] =
-      laws[0].resolve(end_position[0], 2. * solver.response()(0, 0)).pressure;
-    rates.n_iterations = 1;
-    solver.apply_pressure(rates);
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyConservingIntegrator<dim>::finish_step_contact(State &new_state)
-  {
-    new_state.contact_pressure = rates.pressure;
-    if (has_mean_pressure)
-      set_pressures_of_law(body, new_state);
   }
 
 

@@ -15,6 +15,7 @@ namespace ThermoContact
     static const std::vector<Scheme> list = [] {
       std::vector<Scheme> all = dirk_schemes();
       all.push_back(energy_conserving_scheme());
+      all.push_back(box_scheme());
       return all;
     }();
     return list;

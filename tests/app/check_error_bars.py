@@ -50,7 +50,7 @@ CASES = [
      [(("Time/Step size=0.04",), 1), (("Time/Step size=0.08",), 1 / 3)],
      [("Mesh/Cells=2", "Mesh/Cells across=1"), ("Mesh/Cells=1", "Mesh/Cells across=1")],
      1 / 4),
-    (MOTION + ("Mesh/Mass matrix=midpoint", "Mesh/Degree=1", "Mesh/Cells=40",
+    (MOTION + ("Time/Scheme=box", "Mesh/Degree=1", "Mesh/Cells=40",
                "Time/Step size=0.025"), [],
      [("Mesh/Cells=20", "Time/Step size=0.05"), ("Mesh/Cells=10", "Time/Step size=0.1")],
      1 / 4),

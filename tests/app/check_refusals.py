@@ -28,7 +28,7 @@ ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
 POWER = ("Contact/Condition=power law",)
 LOSS = ("Boundary/Lateral heat exchange=2",)
 EXCHANGE = ("Boundary/Heat exchange=1+gap",)
-MIDPOINT = CONSERVING + ("Mesh/Mass matrix=midpoint",)
+BOX = FIXED + ("Time/Scheme=box",)
 WAVES = ("Mesh/Degree=1", "Model/Viscosity=0")
 
 SCALES = tuple(f"Scales/{name}=2" for name in (
@@ -169,21 +169,31 @@ SCENES = [
     ("Mesh/Mass matrix", ("Dimension=2", "Mesh/Geometry=axisymmetric"),
      "Mesh/Mass matrix=lumped", "Mesh/Mass matrix=consistent",
      ("Mesh/Mass matrix=lumped", "Mesh/Geometry=plane strain")),
-    # one point to a cell: for elastic waves in a rod of equal linear cells
-    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Dimension=2", "Dimension=1",
-     ("Dimension=2", "Mesh/Mass matrix=consistent")),
-    ("Mesh/Mass matrix", MIDPOINT + ("Mesh/Degree=1",), "Model/Fields=temperature",
+    # without dispersion: for elastic waves in a rod of equal linear cells
+    ("Time/Scheme", BOX + WAVES, "Dimension=2", "Dimension=1",
+     ("Dimension=2", "Time/Scheme=energy conserving")),
+    ("Time/Scheme", BOX + ("Mesh/Degree=1",), "Model/Fields=temperature",
      ("Model/Fields=displacement", "Model/Viscosity=0")),
-    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Time/Scheme=sdirk4",
-     "Time/Scheme=energy conserving"),
-    ("Mesh/Mass matrix", MIDPOINT + ("Model/Viscosity=0",), "Mesh/Degree=2",
-     "Mesh/Degree=1", ("Mesh/Degree=2", "Mesh/Mass matrix=lumped")),
-    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Mesh/Grading=1.001",
-     "Mesh/Grading=1"),
-    ("Mesh/Mass matrix", MIDPOINT + ("Mesh/Degree=1",), "Model/Viscosity=1e-6",
+    ("Time/Scheme", BOX + WAVES, "Model/Inertia=0", "Model/Inertia=1e-6"),
+    ("Time/Scheme", BOX + ("Model/Viscosity=0",), "Mesh/Degree=2", "Mesh/Degree=1",
+     ("Mesh/Degree=2", "Time/Scheme=energy conserving")),
+    ("Time/Scheme", BOX + WAVES, "Mesh/Grading=1.001", "Mesh/Grading=1"),
+    ("Time/Scheme", BOX + ("Mesh/Degree=1",), "Model/Viscosity=1e-6",
      "Model/Viscosity=0"),
-    ("Mesh/Mass matrix", MIDPOINT + WAVES, "Contact/Massless nodes=on",
+    ("Time/Scheme", BOX + WAVES, "Contact/Massless nodes=on",
      "Contact/Massless nodes=automatic", "Contact/Massless nodes=off"),
+    ("Mesh/Mass matrix", BOX + WAVES, "Mesh/Mass matrix=lumped",
+     "Mesh/Mass matrix=consistent", ("Mesh/Mass matrix=lumped", "Time/Scheme=sdirk4")),
+    ("Time/Step size", WAVES + ("Time/Scheme=box",), "Time/Step size=automatic",
+     "Time/Step size=0.01"),
+    ("Time/Locate contact events", BOX + WAVES, "Time/Locate contact events=true",
+     "Time/Locate contact events=false"),
+    *[(entry, BOX + WAVES, refused, accepted) for entry, refused, accepted in (
+        ("Time/Scheme", POWER[0], POWER + ("Contact/Exponent=1",)),
+        ("Contact/Damping", "Contact/Damping=1e-3", "Contact/Damping=0"),
+        ("Boundary/Fixed end displacement", "Boundary/Fixed end displacement=t^2",
+         "Boundary/Fixed end temperature=t^2"),
+        ("Boundary/Heat exchange", EXCHANGE[0], "Boundary/Heat exchange=2"))],
     ("Sources/Body force", PLANE + QUASI_STATIC + (
         "Boundary/Lateral support=free", "Boundary/Fixed end support=sliding"),
      "Sources/Body force=0; 0.1", "Sources/Body force=0.1; 0",

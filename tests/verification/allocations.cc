@@ -9,7 +9,7 @@
 //
 // Counted by hand: the paper's experiment 1 with 250 linear cells and 1000
 // fixed steps; the default scene with steps of tolerance 1e-6, T = 10; a rigid
-// obstacle; elastic impact with energy conserving steps and the midpoint rule.
+// obstacle; elastic impact with the scheme without dispersion.
 // At least half of all steps count; none of them allocates.
 
 #include <thermocontact/simulation/simulation.h>
@@ -138,15 +138,14 @@ main_allocations()
         {"Sources/End traction=0.1*t",
          "Time/Tolerance=1e-6",
          "Time/End time=3"});
-  check("midpoint rule",
+  check("box",
         "",
         {"Model/Fields=displacement",
          "Model/Viscosity=0",
          "Contact/Condition=rigid",
-         "Mesh/Mass matrix=midpoint",
          "Mesh/Degree=1",
          "Mesh/Cells=200",
-         "Time/Scheme=energy conserving",
+         "Time/Scheme=box",
          "Time/Step size=0.005",
          "Time/End time=3"});
 }

@@ -33,7 +33,7 @@ namespace ThermoContact
     /** Why it needs a body with inertia; empty: it does not. */
     std::string needs_inertia;
 
-    /** Its contact nodes have no mass, unless Scene::has_midpoint_mass. */
+    /** Its contact nodes have no mass. */
     bool needs_massless_contact = false;
 
     /** Why it treats linear contact laws alone; empty: it treats all. */
@@ -50,6 +50,13 @@ namespace ThermoContact
 
     /** A step is the midpoint rule. */
     bool has_midpoint_rule = false;
+
+    /**
+     * Waves in an elastic rod have no dispersion in its steps, in which they
+     * pass one of the equal linear cells: a scheme for these alone, whose mass
+     * matrix of displacements has one point to a cell, (C6.8).
+     */
+    bool has_no_dispersion = false;
 
     /** The viscosity acts on its contact nodes. */
     bool has_viscous_contact = true;

@@ -376,7 +376,7 @@ namespace ThermoContact
 
     const bool has_lumped_mass;
 
-    /** One point to a cell for the mass of displacements, (C6.8). */
+    /** That of Scheme::has_no_dispersion. */
     const bool has_midpoint_mass;
 
     /** Stages are solved by the iteration of the paper. */

@@ -3,6 +3,7 @@
 #ifndef thermocontact_space_state_h
 #define thermocontact_space_state_h
 
+#include <thermocontact/base/local_sums.h>
 #include <thermocontact/base/types.h>
 
 #include <utility>
@@ -62,6 +63,22 @@ namespace ThermoContact
     was_moved_at_once() const
     {
       return time == 0. || time == jump_time;
+    }
+
+    /** Becomes the body of another state; allocates nothing for one layout. */
+    void
+    copy_values(const State &from)
+    {
+      if (contact_pressure.size() != from.contact_pressure.size())
+        {
+          *this = from; // the first one: gets its layout
+          return;
+        }
+      set_equal(temperature, from.temperature);
+      set_equal(displacement, from.displacement);
+      set_equal(velocity, from.velocity);
+      contact_pressure     = from.contact_pressure;
+      exchange_coefficient = from.exchange_coefficient;
     }
 
     /** Exchanges two states without copying or allocating. */

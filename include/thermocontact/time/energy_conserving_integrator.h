@@ -63,19 +63,8 @@ namespace ThermoContact
     std::unique_ptr<DirectNodeEquilibrium<dim>> nodes;
     std::unique_ptr<ConservingContact>          contact;
 
-    /** A node that keeps its mass, (C6.9). */
-    bool has_contact_mass = false;
-
-    /**
-     * Its pressure is the mean that conserves energy, $\varepsilon\ge h/2$,
-     * from where on the mesh follows the obstacle without overshooting. Else it
-     * is that of the law at the end of the step, which takes energy.
-     */
-    bool has_mean_pressure = false;
-
-    std::vector<NodeLaw> laws;         ///< of the contact nodes in the step
-    std::vector<double>  start;        ///< their positions at the beginning
-    std::vector<double>  end_position; ///< of a node that keeps its mass
+    std::vector<NodeLaw> laws;  ///< of the contact nodes in the step
+    std::vector<double>  start; ///< their positions at the beginning
 
     std::vector<double> old_free_position; ///< $s$ at the beginning
     std::vector<double> free_position;     ///< $s$ at the end
@@ -106,14 +95,6 @@ namespace ThermoContact
     /** Finds $\bar p$ and adds its response to the rates. */
     void
     apply_contact(const State &state, const TimeStep &time_step);
-
-    /** The same of a node that keeps its mass, (C6.9). */
-    void
-    apply_step_contact(const State &state, const TimeStep &time_step);
-
-    /** Its pressure at the end of the step. */
-    void
-    finish_step_contact(State &new_state);
 
     /** Moves the contact nodes to their equilibrium at the end of the step. */
     void

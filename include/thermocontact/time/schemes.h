@@ -20,6 +20,10 @@ namespace ThermoContact
   /** The midpoint rule of doc/contact-in-time.md section 6. */
   Scheme
   energy_conserving_scheme();
+
+  /** The one without dispersion there. */
+  Scheme
+  box_scheme();
 } // namespace ThermoContact
 
 #endif
