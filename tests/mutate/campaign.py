@@ -419,9 +419,6 @@ def interval(hits, n):
 
 def run(top, options):
     """Exit status 1 if a fault survives."""
-    subprocess.run([top / "scripts/install_packages", "numdiff", "perl",
-                    "python3-clang", "python3-meshio", "python3-matplotlib"],
-                   check=True)
     os.nice(5)
     work = top / "build/mutate"
     copy, tree = work / "source", work / "release"

@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """usage: check_scripts.py SOURCE_DIRECTORY
 
-What scripts/check_links, scripts/build, scripts/run and scripts/gallery report. The links of a
-small page, one by one, lead somewhere or not, as written beside each; the counts
-in the last line are those of the page. The other two run in a project whose
-cmake, make, mpirun and program are stand-ins that write down their arguments,
-and fail when told to: messages, logs, exit status, what is passed on.
+What scripts/check_links, scripts/build, scripts/run, scripts/mutate and
+scripts/gallery report. The links of a small page, one by one, lead somewhere or
+not, as written beside each; the counts in the last line are those of the page.
+The others run in a project whose cmake, make, mpirun, program and packages are
+stand-ins that write down their arguments, and fail when told to: messages, logs,
+exit status, what is passed on.
 """
 import os
 import re
@@ -294,6 +295,26 @@ def check_installed(top):
               result.stderr)
 
 
+def check_mutate(top):
+    """Without the syntax tree, whose package nothing but scripts/mutate needs: it shows its help,
+    installs the package, and says what to install by hand where the module is missing all the same."""
+    project = Project(top)
+    shutil.copy(source / "scripts/mutate", top / "scripts")
+    shutil.copytree(source / "tests/mutate", top / "tests/mutate")
+    (top / "clang.py").write_text("raise ImportError('no clang')\n")
+    without = {"PYTHONPATH": str(top)}
+    result, calls = project.run("mutate", "--help", **without)
+    check("mutate --help without clang", result.returncode == 0 and not calls and
+          "usage: scripts/mutate" in result.stdout and not result.stderr, result.stderr)
+    result, calls = project.run("mutate", "1", "1", **without)
+    check("mutate without clang", result.returncode == 1 and len(calls) == 1 and
+          "python3-clang" in calls[0].split() and result.stderr ==
+          "scripts/mutate: no clang; install Debian's python3-clang\n", result.stderr)
+    result, calls = project.run("mutate", "1", "1", FAIL="install_packages", WORDS="what")
+    check("mutate, installing fails", result.returncode == 1 and len(calls) == 1 and
+          not result.stderr, result.stderr)
+
+
 def check_run(top):
     project = Project(top)
     result, calls = project.run("run", "--help")
@@ -320,6 +341,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_links(Path(scratch) / "links")
     check_build(Path(scratch) / "build of")
     check_run(Path(scratch) / "run of")
+    check_mutate(Path(scratch) / "mutate of")
     check_foreign_clone(Path(scratch) / "foreign")
     check_installed(Path(scratch) / "installed")
     check_gallery(Path(scratch) / "gallery of")
