@@ -26,7 +26,8 @@ namespace ThermoContact
       for (const auto &coordinates : parameters.probe_positions())
         {
           Point<dim> position;
-          std::copy_n(coordinates.begin(), dim, position.begin_raw());
+          for (unsigned int d = 0; d < dim; ++d)
+            position[d] = coordinates[d];
           places.push_back({position, position});
         }
       return places;

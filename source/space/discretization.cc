@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/problem_data.h>
 
@@ -104,8 +105,8 @@ namespace ThermoContact
     const types::global_dof_index n_dofs = dof_handler_.n_dofs();
     const types::global_dof_index n_temperatures =
       fields.has_temperature ? n_dofs / n_components() : 0;
-    owned_ = dof_handler_.locally_owned_dofs();
-    DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant_);
+    owned_    = dof_handler_.locally_owned_dofs();
+    relevant_ = DoFTools::extract_locally_relevant_dofs(dof_handler_);
     for (const auto &[first, last] :
          {std::pair(types::global_dof_index(0), n_temperatures),
           std::pair(n_temperatures, n_dofs)})
@@ -123,8 +124,7 @@ namespace ThermoContact
   void
   Discretization<dim>::add_ghosts_of_cells()
   {
-    IndexSet active;
-    DoFTools::extract_locally_active_dofs(dof_handler_, active);
+    const IndexSet active = DoFTools::extract_locally_active_dofs(dof_handler_);
     for (const Field::Block field : all_fields)
       if (has_field(field))
         {
@@ -142,7 +142,8 @@ namespace ThermoContact
   AffineConstraints<double>
   Discretization<dim>::make_constraints(const bool has_sliding_end) const
   {
-    AffineConstraints<double> constraints(relevant_);
+    AffineConstraints<double> constraints =
+      make_unconstrained(owned_, relevant_);
 
     const Functions::ZeroFunction<dim> zero(n_components());
     ComponentMask                      held(n_components(), true);

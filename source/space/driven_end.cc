@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/space/driven_end.h>
 
 #include <deal.II/base/mpi.h>
@@ -15,8 +16,9 @@ namespace ThermoContact
     std::vector<unsigned int>
     entries_of_end(const Discretization<dim> &space, const Field::Block field)
     {
-      AffineConstraints<double> held(space.relevant());
-      ComponentMask             component(space.n_components(), false);
+      AffineConstraints<double> held =
+        make_unconstrained(space.owned(), space.relevant());
+      ComponentMask component(space.n_components(), false);
       component.set(space.first_component(field), true);
       VectorTools::interpolate_boundary_values(space.mapping(),
                                                space.dof_handler(),

@@ -120,8 +120,9 @@ namespace ThermoContact
     for (const auto &[factor, kind] : terms)
       matrix.add(factor, (*matrices)[kind]);
 
-    std::vector<types::global_dof_index> rows;
-    discretization.constrained(field).fill_index_vector(rows);
+    const IndexSet &constrained = discretization.constrained(field);
+    const std::vector<types::global_dof_index> rows(constrained.begin(),
+                                                    constrained.end());
     matrix.clear_rows(rows, 1.);
     return matrix;
   }

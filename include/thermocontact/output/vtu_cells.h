@@ -40,7 +40,7 @@ namespace ThermoContact
           if (!conversions.back().unit.empty())
             flags.physical_units[name] = conversions.back().unit;
         }
-      flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
+      flags.compression_level = decltype(flags.compression_level)::best_speed;
     }
 
     /** Components @p first to @p last are a vector, or a tensor in space. */

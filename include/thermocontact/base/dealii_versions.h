@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_base_dealii_versions_h
+#define thermocontact_base_dealii_versions_h
+
+#include <deal.II/base/config.h>
+
+#include <deal.II/base/index_set.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+/**
+ * @file
+ *
+ * The versions of deal.II are those of the systems that have a package of
+ * it, 9.4.1 (Debian 12), 9.5.1 (Ubuntu 24.04) and 9.6.2 (Debian 13), and those
+ * that have been released since, to 9.8, which users install by hand. All
+ * sources use what each of them has and none declares deprecated; where there
+ * is nothing of that kind, the choice stands here.
+ */
+namespace ThermoContact
+{
+  /**
+   * Constraints of no degree of freedom yet, that can be of those in @p relevant.
+   *
+   * @param owned by this process, which 9.6 and later ask for
+   */
+  inline dealii::AffineConstraints<double>
+  make_unconstrained(const dealii::IndexSet &owned,
+                     const dealii::IndexSet &relevant)
+  {
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+    return dealii::AffineConstraints<double>(owned, relevant);
+#else
+    static_cast<void>(owned);
+    return dealii::AffineConstraints<double>(relevant);
+#endif
+  }
+} // namespace ThermoContact
+
+#endif
