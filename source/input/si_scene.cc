@@ -68,7 +68,7 @@ namespace ThermoContact
 
     /** The default law without a name, none for one that there is not. */
     const ContactLawKind &
-    law_of(const std::optional<std::string> &name)
+    law_of(const std::optional<std::string> name)
     {
       for (const ContactLawKind &law : contact_laws())
         if (!name || law.name == name)

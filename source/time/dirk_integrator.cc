@@ -43,6 +43,11 @@ namespace ThermoContact
 
   namespace
   {
+    /** Whose abscissae are in the order of time. */
+    const std::string scheme_in_order = "sdirk3";
+
+
+
     /** The solver that the scene asks for. */
     template <int dim>
     std::unique_ptr<StageSolver>
@@ -65,7 +70,7 @@ namespace ThermoContact
     , of_scheme(butcher_tableau(body.scene.scheme.name))
     , in_order(std::is_sorted(of_scheme.c.begin(), of_scheme.c.end()) ?
                  of_scheme :
-                 butcher_tableau("sdirk3"))
+                 butcher_tableau(scheme_in_order))
     , solver(make_stage_solver(body))
     , driven(body)
     , stages(of_scheme.n_stages())
