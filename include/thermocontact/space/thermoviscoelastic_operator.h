@@ -95,9 +95,12 @@ namespace ThermoContact
     stage_matrix(const double tau) const;
 
     /**
-     * Right-hand side of a stage (D2.2) without contact: @p heat
-     * $\ell_\theta-(K+kB)\tilde\theta$ and @p momentum $bM_u\tilde v +
-     * \tau(\ell_u-S\tilde u+aD^T\tilde\theta)$; constrained rows are zero.
+     * Right-hand side of a stage (D2.2) without contact, with constrained rows
+     * zero.
+     *
+     * @param heat becomes $\ell_\theta-(K+kB)\tilde\theta$
+     * @param momentum becomes
+     *   $bM_u\tilde v+\tau(\ell_u-S\tilde u+aD^T\tilde\theta)$
      */
     void
     stage_rhs(const State  &known,
