@@ -11,14 +11,14 @@ or texts. A study is a run with "Study/Vary". numpy is needed; pandas, scipy and
 are used where they are asked for. Numbers are those of the files: in SI units if the scene
 has section Rod, whose entries may have units ("Contact/Gap": "30 um"), or Scales, and
 table.units tells them; else nondimensional. study() runs many scenes, fit() finds entries
-from a measurement (scipy).
+from a measurement (scipy). What the program warns of is a RunWarning, and in run.warnings.
 """
 
-from .errors import ComputationError, Error, InputError
+from .errors import ComputationError, Error, InputError, RunWarning
 from .fitting import Fit, fit
 from .program import find_program, run, study
 from .results import Run, Study, read
 from .table import Table, read_table
 
-__all__ = ["ComputationError", "Error", "Fit", "InputError", "Run", "Study", "Table",
+__all__ = ["ComputationError", "Error", "Fit", "InputError", "Run", "RunWarning", "Study", "Table",
            "find_program", "fit", "read", "read_table", "run", "study"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the program says when it ends without a result."""
+"""What the program says when it ends without a result, or with a doubtful one."""
 
 
 class Error(Exception):
@@ -8,6 +8,10 @@ class Error(Exception):
 
 class InputError(Error):
     """The input is wrong (exit status 2): place, value, what is allowed, the remedy."""
+
+
+class RunWarning(UserWarning):
+    """A result is there, but not to be trusted without a look at what is said."""
 
 
 class ComputationError(Error):

@@ -8,7 +8,7 @@ import numpy
 
 from .errors import Error
 from .optional import optional_module
-from .program import run
+from .program import run_silently, tell_warnings
 from .table import Table
 
 
@@ -129,7 +129,7 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
                  **{name: f"{value!r} {unit}".strip() for name, value, unit in
                     zip(names, map(float, guess * numpy.exp(x)), units)}}
         scene.setdefault("Output/Fields interval", 0)
-        return run(scene, base=base)
+        return run_silently(scene, base=base)
 
     def model(x):
         key = tuple(x)
@@ -166,5 +166,7 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
     covariance = scale * numpy.linalg.inv(normal) * numpy.outer(values, values)
     table = Table({"column": numpy.array(data.columns), "time": data.times,
                    **dict(zip(names, sensitivities.T))})
+    best = run_at(found.x)
+    tell_warnings(best)
     return Fit(dict(zip(names, map(float, values))), covariance, chi_square, data, table,
-               run_at(found.x), len(known) + 1)
+               best, len(known) + 1)

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Calls the program."""
 
+import functools
 import os
 import re
 import shutil
 import subprocess
 import tempfile
+import warnings
 from pathlib import Path
 
 import numpy
 
-from .errors import ComputationError, Error, InputError
+from .errors import ComputationError, Error, InputError, RunWarning
 from .results import read
 
 
@@ -69,8 +71,14 @@ def _message_in(text):
     return re.split(r"\n-{20,}\n", message)[0].strip()
 
 
-def run(entries=None, base=None, output=None, progress=None, resume=False, ranks=1,
-        program=None):
+def tell_warnings(result):
+    """Each warning of a run or a study once, as a RunWarning of the caller's caller."""
+    for text in result.warnings:
+        warnings.warn(text, RunWarning, stacklevel=3)
+
+
+def run_silently(entries=None, base=None, output=None, progress=None, resume=False, ranks=1,
+                 program=None):
     """Runs a scene or a study and returns its Run or Study.
 
     entries: a dict {"Section/Entry": value} that overrides the base.
@@ -79,7 +87,8 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
     progress: called with the part that is done, 0 to 1, and a line of text.
     resume: go on with the run or study in output.
     ranks: processes that mpirun starts, for studies and bodies.
-    Raises InputError or ComputationError with the program's message.
+    Raises InputError or ComputationError with the program's message. What the program
+    warns of is a RunWarning, and in the attribute warnings of what is returned.
     """
     temporary = None if output else tempfile.TemporaryDirectory(prefix="thermocontact-")
     with tempfile.TemporaryDirectory() as scratch:
@@ -110,6 +119,13 @@ def run(entries=None, base=None, output=None, progress=None, resume=False, ranks
     return read(directory, temporary)
 
 
+@functools.wraps(run_silently, assigned=["__doc__"])
+def run(*arguments, **options):
+    result = run_silently(*arguments, **options)
+    tell_warnings(result)
+    return result
+
+
 def study(vary, base=None, entries=None, processes=None, output=None, **options):
     """Runs a scene for all combinations of values: a pandas.DataFrame with a row for
     each run, in the units of the files (attrs["units"]).
@@ -129,6 +145,7 @@ def study(vary, base=None, entries=None, processes=None, output=None, **options)
             continue
         axes.append(" , ".join(f"{path} = " + " | ".join(map(_word, column))
                                for path, column in zip(paths, zip(*values))))
-    result = run({**(entries or {}), "Study/Vary": " ; ".join(axes)}, base, output,
+    result = run_silently({**(entries or {}), "Study/Vary": " ; ".join(axes)}, base, output,
                  ranks=processes or os.cpu_count() or 1, **options)
+    tell_warnings(result)
     return result.table.to_pandas()

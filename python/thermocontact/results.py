@@ -83,6 +83,11 @@ class Run(_Directory):
         """summary.json: a dict; None stands for what there is not."""
         return json.loads((self.directory / "summary.json").read_text(encoding="utf-8"))
 
+    @property
+    def warnings(self):
+        """What the program warned of: a list of texts."""
+        return self.summary["warnings"]
+
     @cached_property
     def snapshots(self):
         """Times and files of the fields, in order: a list of (float, Path)."""
@@ -120,6 +125,15 @@ class Study(_Directory):
     """
 
     table = cached_property(lambda self: read_table(self.directory / "study.csv"))
+
+    @property
+    def warnings(self):
+        """What the program warned of: a dict {text: [numbers of the runs]}."""
+        runs = {}
+        for number, texts in zip(self.table["run"], self.table["warning_texts"]):
+            for text in filter(None, str(texts).split(" | ")):
+                runs.setdefault(text, []).append(int(number))
+        return runs
 
     def run(self, number):
         """The files of a run, with Study/Keep files = true."""

@@ -4,6 +4,7 @@
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/scene_report.h>
+#include <thermocontact/simulation/spatial_error_monitor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +24,12 @@ namespace ThermoContact
 
     /** How often there was contact, when and how long, and what it did. */
     std::string
-    describe_contact(const KeyResults  &results,
-                     const RunHistory  &history,
-                     const OutputUnits &units)
+    describe_contact(const Scene &scene, const RunHistory &history)
     {
-      constexpr unsigned int   few    = 5;
-      const auto              &events = history.events;
+      const OutputUnits        units(scene.parameters);
+      constexpr unsigned int   few     = 5;
+      const KeyResults         results = key_results(scene, history);
+      const auto              &events  = history.events;
       std::vector<std::string> durations;
       for (unsigned int i = 1; i < events.size(); ++i)
         if (events[i].kind == ContactEvent::end)
@@ -45,6 +46,7 @@ namespace ThermoContact
                 units.text("time", results.at("contact_duration"));
       return line + ", peak force " +
              units.text("force", history.max_contact_force) +
+             (is_largest_force_of_mesh(scene, events) ? " (of the mesh)" : "") +
              ", peak penetration " +
              units.text("length", history.max_penetration) + ", impulse " +
              units.text("force × time", history.record.contact_impulse);
@@ -151,9 +153,9 @@ namespace ThermoContact
 
 
   std::vector<std::string>
-  step_warnings(const Scene      &scene,
-                const Forecast   &forecast,
-                const RunHistory &history)
+  step_warnings(const Scene                      &scene,
+                const std::optional<FirstImpact> &impact,
+                const RunHistory                 &history)
   {
     std::vector<std::string> warnings;
     const StepRecord        &record = history.record;
@@ -168,28 +170,41 @@ namespace ThermoContact
              significant(100. * record.numerical_dissipation / there, 2),
              " % of the energy that was there: a smaller Time/Step size, or "
              "automatic"));
-    if (!forecast.impact)
+    if (!impact)
       return warnings;
-    const double impact = forecast.impact->time;
     const double allowed =
-      std::min(*size, impact) + largest_forecast_error * impact;
+      std::min(*size, impact->time) + largest_forecast_error * impact->time;
     const double time =
       history.events.empty() ? record.time : history.events.front().time;
-    if (time > impact + allowed ||
-        (!history.events.empty() && time < impact - allowed))
+    if (time > impact->time + allowed ||
+        (!history.events.empty() && time < impact->time - allowed))
       {
         const OutputUnits units(scene.parameters);
         const auto        in_time = [&units](const double value) {
           return units.text("time", value, 3);
         };
         warnings.push_back(
-          "the first contact is at t = about " + in_time(impact) +
+          "the first contact is at t = about " + in_time(impact->time) +
           ", and fixed steps of " + in_time(*size) +
           (history.events.empty() ? " have none up to t = " :
                                     " have it at t = ") +
           in_time(time) + ": a smaller Time/Step size, or automatic");
       }
     return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  run_warnings(const Scene                      &scene,
+               const std::optional<FirstImpact> &impact,
+               const RunHistory                 &history)
+  {
+    std::vector<std::string>       all = history.warnings;
+    const std::vector<std::string> of_steps =
+      step_warnings(scene, impact, history);
+    all.insert(all.end(), of_steps.begin(), of_steps.end());
+    return all;
   }
 
 
@@ -206,8 +221,7 @@ namespace ThermoContact
     const StepRecord &record = history.record;
     const OutputUnits units(scene.parameters);
     if (scene.contact.law->is_active())
-      log.line("  contact   " +
-               describe_contact(key_results(scene, history), history, units));
+      log.line("  contact   " + describe_contact(scene, history));
     log.line("  final     " +
              describe_steady_state(final_state(record), scene));
     if (const auto &rest = forecast.rest.states; !rest.empty())
@@ -216,7 +230,8 @@ namespace ThermoContact
                                  record,
                                  scene));
     log.line("  energy    " + describe_energy(record, initial_energy, units));
-    for (const std::string &warning : step_warnings(scene, forecast, history))
+    for (const std::string &warning :
+         step_warnings(scene, forecast.impact, history))
       log.line("  warning:  " + warning);
     log.line(text(
       "  cost      ",

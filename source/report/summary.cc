@@ -183,9 +183,7 @@ namespace ThermoContact
       {"wall_seconds", times.wall},
       {"peak_memory_mb", std::accumulate(memory.begin(), memory.end(), 0.)},
       {"peak_memory_mb_per_rank", memory},
-      {"warnings", history.warnings}};
-    for (const std::string &warning : step_warnings(scene, forecast, history))
-      summary["warnings"].push_back(warning);
+      {"warnings", run_warnings(scene, forecast.impact, history)}};
     summary.update(predictions(scene, forecast, record, results));
     if (errors != nullptr)
       add_errors(*errors, summary);

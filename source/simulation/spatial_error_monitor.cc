@@ -379,11 +379,18 @@ namespace ThermoContact
   warning_of_largest_force(const Scene                     &scene,
                            const std::vector<ContactEvent> &events)
   {
-    const double spacing = spacing_of_largest_force(scene);
-    if (spacing == 0. || !is_largest_force_of_mesh(scene, events))
+    if (!is_largest_force_of_mesh(scene, events))
       return "";
+    const double      spacing = spacing_of_largest_force(scene);
+    const std::string start   = "the largest force is that of the mesh: ";
+    if (spacing == 0.)
+      return start +
+             "behind an impact on a rigid obstacle the force of a viscous body "
+             "grows without limit as cells get smaller; remedy: the impulse, "
+             "which has a limit, or Contact/Condition = normal compliance";
     return text(
-      "the largest force is that of the mesh: it needs nodes at most ",
+      start,
+      "it needs nodes at most ",
       QuantityUnits(scene.parameters).text("position", spacing),
       " apart at the obstacle; remedy: a larger Mesh/Grading, or more "
       "Mesh/Cells");

@@ -188,17 +188,13 @@ namespace ThermoContact
       missed[k] = smooth.at(k) - value;
     errors.time  = time_errors(scene.parameters, missed, differences);
     errors.space = space_errors(scene.parameters, errors.time, differences);
+    // a warning of the run says why
     const bool has_largest_force =
       !is_largest_force_of_mesh(scene, simulation.events());
     for (const std::string &k : results_with_error_bars())
       if (std::isnan(values.at(k)) ||
           (k == "max_contact_force" && !has_largest_force))
         errors.time[k] = errors.space[k] = nan;
-    if (!has_largest_force)
-      errors.remarks.push_back(
-        "error bars: none of the largest force, which is that of the mesh: the "
-        "force of a viscous body behind an impact grows as cells get smaller, "
-        "as far as the obstacle gives way");
     return errors;
   }
 

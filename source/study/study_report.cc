@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -160,6 +161,80 @@ namespace ThermoContact
 
 
 
+    /** Warnings of runs that are the same but for their numbers. */
+    struct RepeatedWarning
+    {
+      std::string               text; ///< of the first of these runs
+      std::vector<unsigned int> runs;
+      bool                      is_same = true; ///< numbers are, too
+    };
+
+
+
+    /** The warnings of all runs, in the order in which they came first. */
+    std::vector<RepeatedWarning>
+    repeated_warnings(const StudyTable &study)
+    {
+      const std::regex             number(R"([-+]?\b\d+(\.\d+)?(e[-+]?\d+)?)");
+      std::vector<RepeatedWarning> kinds;
+      std::map<std::string, unsigned int> places;
+      for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
+        for (const std::string &text : study.warnings(run))
+          {
+            const auto [place, is_new] =
+              places.emplace(std::regex_replace(text, number, "0"),
+                             kinds.size());
+            if (is_new)
+              kinds.push_back({text, {}});
+            RepeatedWarning &warning = kinds[place->second];
+            warning.is_same &= text == warning.text;
+            if (warning.runs.empty() || warning.runs.back() != run)
+              warning.runs.push_back(run);
+          }
+      return kinds;
+    }
+
+
+
+    /** "run 3", "runs 0 to 5, 7". */
+    std::string
+    describe_runs(const std::vector<unsigned int> &runs)
+    {
+      std::vector<std::string> ranges;
+      for (std::size_t begin = 0; begin < runs.size();)
+        {
+          std::size_t end = begin + 1;
+          while (end < runs.size() && runs[end] == runs[end - 1] + 1)
+            ++end;
+          if (end - begin > 2)
+            ranges.push_back(text(runs[begin], " to ", runs[end - 1]));
+          else
+            for (std::size_t i = begin; i < end; ++i)
+              ranges.push_back(text(runs[i]));
+          begin = end;
+        }
+      return (runs.size() == 1 ? "run " : "runs ") + join_words(ranges);
+    }
+
+
+
+    /** A line for each warning, with the runs that have it. */
+    std::vector<std::string>
+    describe_warnings(const StudyTable &study)
+    {
+      std::vector<std::string> lines;
+      for (const RepeatedWarning &warning : repeated_warnings(study))
+        lines.push_back(describe_runs(warning.runs) + ": " + warning.text +
+                        (warning.is_same ?
+                           "" :
+                           text(" (the numbers of run ",
+                                warning.runs.front(),
+                                "; the other runs have others)")));
+      return lines;
+    }
+
+
+
     /** A table of what was varied and came out, with links to kept files. */
     std::string
     markdown_table(const StudyTable  &study,
@@ -200,6 +275,11 @@ namespace ThermoContact
             }
           page += '\n';
         }
+      const std::vector<std::string> warnings = describe_warnings(study);
+      if (!warnings.empty())
+        page += "\n## Warnings\n\n";
+      for (const std::string &warning : warnings)
+        page += "* " + warning + '\n';
       return page;
     }
 
@@ -270,6 +350,8 @@ namespace ThermoContact
         unsigned int n_failed = 0;
         for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
           n_failed += !study.failure(run).empty();
+        for (const std::string &warning : describe_warnings(study))
+          log.line("  warning:  " + warning);
         log.line(text(
           "  study     ", study.plan.n_runs(), " runs, ", n_failed, " failed"));
         if (target > 0.)

@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/output/output.h>
 #include <thermocontact/output/output_directory.h>
+#include <thermocontact/report/result_report.h>
 #include <thermocontact/report/summary.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/simulation/simulation.h>
@@ -27,6 +28,21 @@ namespace ThermoContact
         if (path.rfind("Study/", 0) == 0)
           paths.insert(path);
       return paths;
+    }
+
+
+
+    /** The same as in summary.json of the scene run alone. */
+    template <int dim>
+    std::vector<std::string>
+    all_warnings(const Simulation<dim> &simulation)
+    {
+      const Scene &scene = simulation.scene();
+      return run_warnings(scene,
+                          scene.parameters.time.step_size ?
+                            first_impact(scene) :
+                            std::nullopt,
+                          simulation.history());
     }
 
 
@@ -77,6 +93,7 @@ namespace ThermoContact
                                          {"factorizations", counters.factorizations},
                                          {"solves", counters.solves}};
         run.trajectory.set_events(simulation.events());
+        run.warnings = all_warnings(simulation);
         if (output)
           write_summary(directory + "/summary.json",
                         status,

@@ -31,6 +31,11 @@ namespace ThermoContact
 
 
 
+    /** In a field of study.csv. */
+    const std::string between_warnings = " | ";
+
+
+
     /** What a row of study.csv is made of. */
     struct StudyRow
     {
@@ -88,6 +93,15 @@ namespace ThermoContact
           const auto found = row.run.key_results.find(name);
           return found == row.run.key_results.end() ? nan : found->second;
         });
+      columns.emplace_back("warnings", [](const StudyRow &row) {
+        return static_cast<unsigned int>(row.run.warnings.size());
+      });
+      columns.emplace_back("warning_texts", [](const StudyRow &row) {
+        std::string texts;
+        for (const std::string &warning : row.run.warnings)
+          texts += (texts.empty() ? "" : between_warnings) + warning;
+        return texts;
+      });
       return columns;
     }
 
@@ -249,5 +263,22 @@ namespace ThermoContact
   {
     const std::string &status = words(run, "status");
     return status == "done" ? "" : status;
+  }
+
+
+
+  std::vector<std::string>
+  StudyTable::warnings(const unsigned int run) const
+  {
+    const std::string       &texts = words(run, "warning_texts");
+    std::vector<std::string> parts;
+    for (std::size_t start = 0; start < texts.size();)
+      {
+        const std::size_t end =
+          std::min(texts.find(between_warnings, start), texts.size());
+        parts.push_back(texts.substr(start, end - start));
+        start = end + between_warnings.size();
+      }
+    return parts;
   }
 } // namespace ThermoContact

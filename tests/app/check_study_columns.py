@@ -178,6 +178,15 @@ def check_key_results(study):
         yield from column(study, name, value, 1e-9)
 
 
+@check("study.csv/warnings", "study.csv/warning_texts")
+def check_warnings(study):
+    """Those of summary.json of the runs"""
+    told = [run.summary["warnings"] if run else [] for run in runs_of(study).values()]
+    yield differences(study.study["warnings"], [len(texts) for texts in told], 0)
+    if list(study.study["warning_texts"]) != [" | ".join(texts) for texts in told]:
+        yield "other warnings"
+
+
 def duration(run):
     """From begins to ends of contact, or to the end of the run"""
     signs = {"begin": -1, "end": 1}

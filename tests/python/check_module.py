@@ -18,6 +18,7 @@ import math
 import os
 import sys
 import tempfile
+import warnings
 from pathlib import Path
 
 program, source = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
@@ -105,6 +106,28 @@ def check_study(folder):
     error = raised(thermocontact.InputError, lambda: thermocontact.run(
         base=folder / "a run/used.prm", output=folder / "a run", resume=True))
     check("nothing to resume", error and "checkpoint" in str(error), error)
+
+
+def told_by(function):
+    """What a function returns, and its RunWarnings."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        result = function()
+    return result, [str(one.message) for one in caught
+                    if one.category is thermocontact.RunWarning]
+
+
+def check_warnings(folder):
+    """A break point behind the end is warned of, one before it is not."""
+    text = "Time/Break points = {} is beyond Time/End time = 1 and has no effect"
+    scene = {**SCENE, "Time/End time": 1, "Initial values/Temperature": "theta_A"}
+    run, told = told_by(lambda: thermocontact.run({**scene, "Time/Break points": 3}))
+    check("a warning", told == run.warnings == [text.format(3)], told)
+    scene["Study/Vary"] = "Time/Break points = 0.5 | 3 | 4 | 3"
+    study, told = told_by(lambda: thermocontact.run(scene, output=folder / "warned"))
+    check("warnings of a study", told == [text.format(3), text.format(4)] and
+          study.warnings == {text.format(3): [1, 3], text.format(4): [2]} and
+          list(study.table["warnings"]) == [0, 1, 1, 1], study.warnings)
 
 
 def check_ranks(folder):
@@ -244,6 +267,7 @@ def check_fit():
 with tempfile.TemporaryDirectory() as scratch:
     check_run(Path(scratch))
     check_study(Path(scratch))
+    check_warnings(Path(scratch))
     check_ranks(Path(scratch))
     check_errors(Path(scratch))
     check_frame(Path(scratch))

@@ -9,6 +9,7 @@
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/time/stage_solver.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,19 @@ namespace ThermoContact
    * What is to be said of fixed steps that took more than a twentieth of the
    * energy that was there at first or came by work, or missed the forecast of
    * the first impact by more than a step.
+   *
+   * @param impact as forecast; asked for with fixed steps alone
    */
   std::vector<std::string>
-  step_warnings(const Scene      &scene,
-                const Forecast   &forecast,
-                const RunHistory &history);
+  step_warnings(const Scene                      &scene,
+                const std::optional<FirstImpact> &impact,
+                const RunHistory                 &history);
+
+  /** All warnings of a run that has ended: those of its steps come last. */
+  std::vector<std::string>
+  run_warnings(const Scene                      &scene,
+               const std::optional<FirstImpact> &impact,
+               const RunHistory                 &history);
 
   /**
    * Prints contacts, the final state beside the steady state that the scene

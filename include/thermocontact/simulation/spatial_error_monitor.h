@@ -178,7 +178,10 @@ namespace ThermoContact
   is_largest_force_of_mesh(const Scene                     &scene,
                            const std::vector<ContactEvent> &events);
 
-  /** What to do about it; empty: nothing, also at a rigid obstacle. */
+  /**
+   * Why, and what to do about it: the only place where a run says so. Empty
+   * where the largest force is not that of the mesh.
+   */
   std::string
   warning_of_largest_force(const Scene                     &scene,
                            const std::vector<ContactEvent> &events);

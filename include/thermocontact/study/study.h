@@ -74,8 +74,9 @@ namespace ThermoContact
   /**
    * Writes study.txt, tables with observed orders for the entry that is
    * refined: the one of step size, tolerance and number of cells that was named
-   * last; and study.md, one table of what was varied and of the key results.
-   * Rank 0 writes; collective.
+   * last; and study.md, one table of what was varied and of the key results,
+   * and the warnings, once each with the runs that have them. Rank 0 writes;
+   * collective.
    *
    * @param title heading of study.md
    * @param study with the rows of all runs
@@ -87,7 +88,8 @@ namespace ThermoContact
                      const StudyTable  &study);
 
   /**
-   * Tells how many runs failed, and the cheapest one whose largest error of the
+   * Tells the warnings of the runs, how many runs failed, and the cheapest one
+   * whose largest error of the
    * displacement of the end is at most @p target, if that is not 0. Collective.
    *
    * @throw ComputationError if a run failed

@@ -30,7 +30,8 @@ namespace ThermoContact
     /** NaN without a reference. */
     Trajectory::Difference error{nan};
 
-    KeyResults key_results; ///< none of a run that failed
+    KeyResults               key_results; ///< none of a run that failed
+    std::vector<std::string> warnings;    ///< also of a run that failed
 
     /** Of its scene, which may have another rod than others of the study. */
     ScalesParameters scales;

@@ -99,6 +99,10 @@ namespace ThermoContact
     std::string
     failure(const unsigned int run) const;
 
+    /** The warnings of @p run, in the order in which they came. */
+    std::vector<std::string>
+    warnings(const unsigned int run) const;
+
     const StudyPlan &plan;
 
     /** Of the scene that the study varies. */
