@@ -23,7 +23,7 @@ import markdown
 
 top = Path(__file__).resolve().parent.parent
 MATHJAX = Path("/usr/share/javascript/mathjax")
-WORDY = ("messages", "how-to", "units")  # rows of their tables are places, too
+WORDY = ("messages", "how-to", "scope", "units")  # rows of their tables are places, too
 SIGNS = dict(zip("alpha beta gamma delta epsilon varepsilon zeta eta theta kappa lambda mu nu pi rho sigma tau varphi "
                  "chi omega Delta Omega Gamma le ge ne lt gt sum int to infty cdot times approx".split(),
                  "α β γ δ ε ε ζ η θ κ λ μ ν π ρ σ τ φ χ ω Δ Ω Γ ≤ ≥ ≠ &lt; &gt; Σ ∫ → ∞ · × ≈".split()))
@@ -260,11 +260,13 @@ class Site:
                 add(at, name.rstrip(".: "), place)
             for row in re.findall(r"<tr[^>]*>.*?</tr>", part, re.S):
                 at = re.search(r'<tr id="([^"]*)"', row)
-                code = re.search(r"<td><code>(?:<a[^>]*>)?([^<]+)", row)
-                name = code[1] if code else plain(row.partition("</td>")[0])
+                cell = row.partition("</td>")[0]
+                code = re.search(r"<td><code>(?:<a[^>]*>)?([^<]+)", cell)
+                name = code[1] if code else plain(cell)
                 if re.search(r"[A-Za-z]{3}", name) and (code or page.stem in WORDY) and "<td" in row:
                     entry = plain(heading) + "/" if at and at[1][0] != "/" else ""
-                    add(at[1] if at else anchor, entry + html.unescape(name), row)
+                    words = f"<!-- find: {name} -->" if page.stem == "scope" else None
+                    add(at[1] if at else anchor, entry + html.unescape(name), row, words)
 
     def write(self):
         for page in self.pages:

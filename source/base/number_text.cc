@@ -30,7 +30,7 @@ namespace ThermoContact
                        std::to_chars(number, std::end(number), value) :
                        std::to_chars(number,
                                      std::end(number),
-                                     value,
+                                     value + 0., // no reader asks for -0
                                      std::chars_format::general,
                                      digits);
     line.append(number, end.ptr);

@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/constants.h>
+#include <thermocontact/input/expression.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
@@ -71,6 +72,36 @@ namespace ThermoContact
 
 
 
+    bool
+    has_table(const std::string &value)
+    {
+      const std::vector<std::string> names = identifiers_in(value);
+      return std::any_of(names.begin(),
+                         names.end(),
+                         [](const std::string &name) {
+                           return name == "table" || name == "smooth";
+                         });
+    }
+
+
+
+    /** The entries that may be expressions in t. */
+    std::vector<std::string>
+    functions_of_time()
+    {
+      std::vector<std::string> paths;
+      for (const DeclaredEntry &entry : entries_of_program())
+        {
+          const std::vector<std::string> variables = entry.variables(1);
+          if (std::find(variables.begin(), variables.end(), "t") !=
+              variables.end())
+            paths.push_back(entry.path);
+        }
+      return paths;
+    }
+
+
+
     /** Says what is wrong with a value: as an expression, if it looks so. */
     [[noreturn]] void
     refuse_value(const Assignment                    &assignment,
@@ -82,9 +113,13 @@ namespace ThermoContact
       std::string          fault   = assignment.path + " = " + quote(value);
       if (is_of_numbers(entry))
         {
-          if (!split_unit(value) &&
-              (!constants.empty() ||
-               value.find_first_of("*/^(+") != std::string::npos))
+          if (has_table(value))
+            fault += ": a table is a function, and this entry is one number; "
+                     "functions of t are " +
+                     join_words(functions_of_time());
+          else if (!split_unit(value) &&
+                   (!constants.empty() ||
+                    value.find_first_of("*/^(+") != std::string::npos))
             try
               {
                 fault += " = " + as_numbers(assignment, constants);
@@ -92,7 +127,8 @@ namespace ThermoContact
             catch (const InputError &error)
               {
                 fault = error.what();
-                fault.erase(fault.find("\n  allowed: "));
+                fault.erase(
+                  std::min(fault.find("\n  allowed: "), fault.size()));
               }
           std::string with_point = value;
           std::replace(with_point.begin(), with_point.end(), ',', '.');
@@ -224,6 +260,12 @@ namespace ThermoContact
         return {};
       }
     assign_if(is_of_rod, without_unit);
+    for (unsigned int i = 0; i < assignments.size(); ++i)
+      if (const DeclaredEntry *const entry = find_entry(assignments[i].path);
+          entry != nullptr && !is_of_rod(entry->path) &&
+          is_of_numbers(*entry) && entry->variables(1).empty() &&
+          has_table(assignments[i].value))
+        collect([&]() { refuse_value(given[i], constants); });
     throw_faults(faults);
     std::optional<SiScene> scene;
     collect([&]() { scene.emplace(assignments, constants); });

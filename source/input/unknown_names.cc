@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/scope_page.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <deal.II/base/table.h>
@@ -73,22 +74,22 @@ namespace ThermoContact
 
 
     /**
-     * The one of @p known that @p name most likely means, or nothing if none is
-     * near: one letter of three may be wrong.
-     *
-     * @param distance between names
+     * The one of @p known that @p path most likely means, or nothing if none is
+     * near: one letter of three of the name of the entry may be wrong, and its
+     * section counts as one.
      */
-    template <typename Distance>
     std::string
-    nearest(const std::string              &name,
-            const std::vector<std::string> &known,
-            const Distance                 &distance)
+    nearest(const std::string &path, const std::vector<std::string> &known)
     {
-      std::string  result;
-      unsigned int least = (name.size() + 1) / 3 + 1;
-      if (name.size() <= 100) // no typo, and the distance takes long
+      const std::string name = name_of(path), section = section_of(path);
+      std::string       result;
+      unsigned int      least = (name.size() + 1) / 3 + 1;
+      if (path.size() <= 100) // no typo, and the distance takes long
         for (const std::string &other : known)
-          if (const unsigned int d = distance(name, other); d < least)
+          if (const unsigned int d =
+                edit_distance(name, name_of(other)) +
+                (edit_distance(section, section_of(other)) == 0 ? 0 : 1);
+              d < least)
             {
               least  = d;
               result = other;
@@ -98,12 +99,15 @@ namespace ThermoContact
 
 
 
-    /** The right name of an entry in a wrong section counts as near. */
-    unsigned int
-    distance_of_paths(const std::string &a, const std::string &b)
+    /** Whether the entry is there, in another section. */
+    bool
+    is_in_other_section(const std::string              &path,
+                        const std::vector<std::string> &known)
     {
-      return std::min(edit_distance(a, b),
-                      1 + edit_distance(name_of(a), name_of(b)));
+      return std::any_of(
+        known.begin(), known.end(), [&path](const std::string &other) {
+          return edit_distance(name_of(path), name_of(other)) == 0;
+        });
     }
   } // namespace
 
@@ -112,7 +116,7 @@ namespace ThermoContact
   std::string
   did_you_mean(const std::string &name, const std::vector<std::string> &known)
   {
-    const std::string near = nearest(name, known, edit_distance);
+    const std::string near = nearest(name, known);
     return near.empty() ? "" : "; did you mean " + near + "?";
   }
 
@@ -140,10 +144,12 @@ namespace ThermoContact
   {
     if (!list_entries(section).empty())
       return;
+    if (const std::string answer = scope_answer(section); !answer.empty())
+      throw InputError(place + ": there is no section " + quote(section) +
+                       answer);
     const auto  sections = declared_sections();
     std::string remedy, all;
-    if (const std::string near = nearest(section, sections, edit_distance);
-        !near.empty())
+    if (const std::string near = nearest(section, sections); !near.empty())
       remedy = "did you mean " + near + "? ";
     for (const std::string &known : sections)
       {
@@ -165,8 +171,11 @@ namespace ThermoContact
     std::vector<std::string> paths;
     for (const DeclaredEntry &entry : entries_of_program())
       paths.push_back(entry.path);
-    const std::string near = nearest(assignment.path, paths, distance_of_paths);
-    if (near.empty())
+    const std::string near   = nearest(assignment.path, paths);
+    const std::string answer = is_in_other_section(assignment.path, paths) ?
+                                 "" :
+                                 scope_answer(name_of(assignment.path));
+    if (near.empty() && answer.empty())
       check_section(assignment.place, section);
     const std::string fault =
       all.empty()     ? "there is no section " + quote(section) :
@@ -174,6 +183,8 @@ namespace ThermoContact
                           " outside of the sections" :
                         "section " + section + " has no entry " +
                           quote(name_of(assignment.path));
+    if (!answer.empty())
+      throw InputError(assignment.place + ": " + fault + answer);
     throw InputError(assignment.place + ": " + fault + "\n  remedy:  " +
                      (near.empty() ? "entries there are " + all :
                                      "did you mean " + near +

@@ -5,6 +5,7 @@
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/scene/scene_checks.h>
 
 #include <algorithm>
@@ -563,15 +564,17 @@ namespace ThermoContact
     // in which a wave passes a cell
     const double passage = scene.parameters.mesh.contact_spacing() *
                            std::sqrt(scene.material.inertia);
+    const QuantityUnits    units(scene.parameters);
+    constexpr unsigned int digits = 12; // sizes may differ by less than show
     return !scene.has_midpoint_mass || !size ||
                std::abs(*size / passage - 1.) <= Tolerances::same_step_size ?
              "" :
              text("Time/Step size = ",
-                  significant(*size, 6),
+                  units.text("time", *size, digits),
                   ": with ",
                   name_of_scheme(scene),
                   " waves travel without dispersion in steps of h sqrt(b) = ",
-                  significant(passage, 15),
+                  units.text("time", passage, digits),
                   " alone; others are worse than with other schemes");
   }
 

@@ -43,19 +43,29 @@ namespace ThermoContact
       Vector velocity_of_rest(state.velocity);
       for (const unsigned int e : body.driven_end.entries(Field::displacement))
         velocity_of_rest.begin()[e] = 0.;
-      for (const auto &[name, expression, field] :
+      for (const auto &[name, expression, field, remedy] :
            {std::make_tuple("Displacement",
                             initial.displacement,
-                            &std::as_const(state.displacement)),
+                            &std::as_const(state.displacement),
+                            "a body that is nearer to the obstacle has a "
+                            "smaller Contact/Gap"),
             std::make_tuple("Velocity",
                             initial.velocity,
-                            &std::as_const(velocity_of_rest))})
+                            &std::as_const(velocity_of_rest),
+                            "a body that flies at an obstacle with V is one at "
+                            "rest before an obstacle that moves, "
+                            "Initial values/Velocity = 0 and "
+                            "Contact/Gap = G - V*t, until the wave of the "
+                            "impact comes back from the fixed end, which "
+                            "holds the body")})
         if (largest_constrained(Field::displacement, *field, 0.) >
             Tolerances::rounding_of_data * largest(*field))
           throw InputError(
             std::string("Initial values/") + name + " = " + expression +
             ": not zero at the fixed end x = 0 or normal to rollers\n  allowed: "
-            "an expression that vanishes there, e.g. 20*x*(x-1)^2");
+            "an expression that vanishes there, e.g. 20*x*(x-1)^2\n  "
+            "remedy:  " +
+            remedy);
 
       if (!body.scene.fields.has_temperature)
         return;

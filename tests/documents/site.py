@@ -19,13 +19,15 @@ from pathlib import Path
 WORDS = {"restart": "how-to", "sweep": "how-to", "damping": "parameters", "tolerance": "parameters",
          "Hertz": "laws", "bifurcation": "how-to", "contact_force": "output", "ParaView": "how-to",
          "cluster": "how-to", "gap": "parameters", "units": "units", "python": "fit-of-a-stop",
-         "install": "how-to", "probes": "parameters", "friction": "laws", "restitution": "laws",
+         "install": "how-to", "probes": "parameters", "friction": "scope", "restitution": "scope",
          "Poisson": "parameters", "checkpoint": "how-to", "max_contact_force": "output",
          "error bars": "numerics", "slow": "messages", "time step": "accuracy", "MPI": "how-to",
          "steady state": "model", "preload": "laws", "convergence order": "accuracy",
          "resume": "how-to", "Robin": "model", "order": "accuracy", "error bar": "numerics",
          "memory": "performance", "study": "how-to", "fit": "fit-of-a-stop",
-         "thermal switch": "gallery"}
+         "thermal switch": "gallery", "gravity": "scope", "Gmsh": "scope", "spring": "scope", "mass": "scope",
+         "temperature-dependent": "scope", "two materials": "scope", "free rod": "scope",
+         "plasticity": "scope", "large deformation": "scope", "limitations": "scope", "adhesion": "scope"}
 FIRST = """
 const fs = require("fs"), folder = process.argv[1], [,, ...queries] = process.argv;
 const document = {getElementById: () => ({addEventListener() {}})};

@@ -120,7 +120,7 @@ def told_by(function):
 def check_warnings(folder):
     """A break point behind the end is warned of, one before it is not."""
     text = "Time/Break points = {} is beyond Time/End time = 1 and has no effect"
-    scene = {**SCENE, "Time/End time": 1, "Initial values/Temperature": "theta_A"}
+    scene = {**SCENE, "Time/End time": 1, "Initial values/Temperature": "theta_A", "Contact/Gap": 1}
     run, told = told_by(lambda: thermocontact.run({**scene, "Time/Break points": 3}))
     check("a warning", told == run.warnings == [text.format(3)], told)
     scene["Study/Vary"] = "Time/Break points = 0.5 | 3 | 4 | 3"

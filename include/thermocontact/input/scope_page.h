@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_scope_page_h
+#define thermocontact_input_scope_page_h
+
+#include <string>
+
+namespace ThermoContact
+{
+  /** doc/scope.md: what the model has, what it lacks, what to do instead. */
+  extern const char *const scope_page;
+
+  /**
+   * What the table of @ref scope_page answers to @p name, which is the name of
+   * no entry and no section: lines "answer:" and "remedy:" of a message, each
+   * behind a line break; nothing where no row has a word of the name.
+   */
+  std::string
+  scope_answer(const std::string &name);
+} // namespace ThermoContact
+
+#endif
