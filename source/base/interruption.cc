@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <iterator>
 
 namespace ThermoContact
 {
@@ -36,6 +35,25 @@ namespace ThermoContact
         if (!is_ignored(signal))
           sigaction(signal, &settings, nullptr);
     }
+
+
+
+    /** Of the watched signals, when the process began. */
+    std::array<bool, watched_signals.size()> are_ignored;
+
+    void
+    note_ignored(int, char **, char **)
+    {
+      std::transform(watched_signals.begin(),
+                     watched_signals.end(),
+                     are_ignored.begin(),
+                     is_ignored);
+    }
+
+    // Called before the constructors of shared libraries, one of which takes
+    // SIGHUP: UCX, with the Open MPI of Debian 13.
+    [[gnu::used, gnu::section(".preinit_array")]] void (
+      *first_call)(int, char **, char **) = note_ignored;
 
 
 
@@ -76,10 +94,9 @@ namespace ThermoContact
   ignored_signals()
   {
     std::vector<int> signals;
-    std::copy_if(watched_signals.begin(),
-                 watched_signals.end(),
-                 std::back_inserter(signals),
-                 is_ignored);
+    for (unsigned int i = 0; i < watched_signals.size(); ++i)
+      if (are_ignored[i])
+        signals.push_back(watched_signals[i]);
     return signals;
   }
 

@@ -2,8 +2,8 @@
 //
 // Signals, each in a child process. The first SIGTERM, SIGINT or SIGHUP is
 // noted, the second one ends the process by itself; a later watch begins anew.
-// What the caller ignores is neither, also after a library has taken it over
-// and it is ignored again; SIGQUIT is not watched.
+// What the caller ignores is neither; SIGQUIT is not watched. What a library
+// takes over before main() begins is tested with the program: app/resume.
 
 #include <thermocontact/base/interruption.h>
 
@@ -27,10 +27,6 @@ namespace
     if (child == 0)
       {
         std::signal(signal, is_ignored ? SIG_IGN : SIG_DFL);
-        const std::vector<int> ignored = ignored_signals();
-        std::signal(signal, SIG_DFL); // as MPI does with some
-        for (const int one : ignored)
-          std::signal(one, SIG_IGN);
         std::optional<SignalWatch> watch;
         for (unsigned int i = 0; i < 2; ++i)
           {

@@ -43,8 +43,8 @@ namespace ThermoContact
 
 
   /**
-   * The signals among these that the caller ignores, as nohup does. Libraries
-   * that start with MPI let them end the program again.
+   * The signals among these that who started the process ignores, as nohup
+   * does. Libraries that start with it or with MPI take them over.
    */
   std::vector<int>
   ignored_signals();
