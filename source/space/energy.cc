@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/collective.h>
+#include <thermocontact/base/local_sums.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/energy.h>
 
@@ -165,7 +166,7 @@ namespace ThermoContact
                                         state.velocity);
     if (!heat.exchange->is_constant())
       {
-        heat_scratch = state.temperature;
+        set_equal(heat_scratch, state.temperature);
         heat_scratch -= steady_profile_;
         rate += mean_of_end(heat_scratch,
                             [&](const unsigned int i, const double value) {
@@ -233,11 +234,11 @@ namespace ThermoContact
     double       rate = 0.;
     if (discretization.has_field(Field::temperature))
       {
-        heat_scratch = state.temperature;
+        set_equal(heat_scratch, state.temperature);
         heat_scratch -= steady_profile_;
         if (loads.has_sources())
           {
-            heat_product = heat_load;
+            set_equal(heat_product, heat_load);
             heat_product -= loads.outer_heat();
             rate += heat_scratch * heat_product;
           }
@@ -264,7 +265,7 @@ namespace ThermoContact
     double work = 0.;
     if (material.is_driven_by_heat())
       {
-        heat_scratch = state.temperature;
+        set_equal(heat_scratch, state.temperature);
         heat_scratch -= steady_profile_;
         stage_operator.divergence.vmult(heat_product, motion);
         work += material.thermal_stress * (heat_scratch * heat_product);
