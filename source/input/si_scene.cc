@@ -66,12 +66,15 @@ namespace ThermoContact
 
 
 
-    /** The default law without a name, none for one that there is not. */
+    /** The default law without an assignment, none for one that there is not.
+     */
     const ContactLawKind &
-    law_of(const std::optional<std::string> name)
+    law_of(const std::vector<Assignment> &assignments)
     {
+      const Assignment *const last =
+        last_assignment(assignments, "Contact/Condition");
       for (const ContactLawKind &law : contact_laws())
-        if (!name || law.name == name)
+        if (last == nullptr || law.name == last->value)
           return law;
       return contact_law(no_obstacle().name);
     }
@@ -170,7 +173,7 @@ namespace ThermoContact
     , has_temperature(given("Model/Fields").value_or("") != "displacement")
     , has_displacement(given("Model/Fields").value_or("") != "temperature")
     , is_confined(dim > 1 || given("Rod/Lateral sides") == "confined")
-    , law(law_of(given("Contact/Condition")))
+    , law(law_of(assignments))
   {
     check_complete();
     set_scales();

@@ -322,12 +322,15 @@ namespace ThermoContact
               const Point<dim> &lower = cell->vertex(0);
               const Point<dim> &upper =
                 cell->vertex(GeometryInfo<dim>::vertices_per_cell - 1);
-              const auto values_at = [&](const auto           points,
-                                         std::vector<double> &values) {
-                evaluate<dim>(function, c, lower, upper, lines, points, values);
-              };
-              values_at(&CellLine::nodes, nodal);
-              values_at(&CellLine::points, differences);
+              evaluate<dim>(
+                function, c, lower, upper, lines, &CellLine::nodes, nodal);
+              evaluate<dim>(function,
+                            c,
+                            lower,
+                            upper,
+                            lines,
+                            &CellLine::points,
+                            differences);
               std::array<const FullMatrix<double> *, dim> along;
               for (unsigned int d = 0; d < dim; ++d)
                 along[d] = &lines[d]->values;

@@ -21,7 +21,8 @@ namespace ThermoContact
       while (coarse->level() > 0)
         coarse = coarse->parent();
       std::uint64_t number = coarse->index();
-      for (const std::uint8_t child : cell->id().get_child_indices())
+      const CellId  id     = cell->id(); // has what the view is of
+      for (const std::uint8_t child : id.get_child_indices())
         number = (number << dim) + child;
       return number;
     }
