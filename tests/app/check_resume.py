@@ -46,16 +46,14 @@ class Run:
         resume = ["--resume"] * (self.directory / "checkpoint.bin").exists()
         return "--quiet", "--output", str(self.directory), *resume, *options, str(self.prm)
 
-    def start(self, *options, **settings):
-        return subprocess.Popen([*self.launcher, PROGRAM, *self.words(*options)],
-                                stderr=subprocess.PIPE, text=True, start_new_session=True,
-                                **settings)
+    def start(self, *options, ignored=()):
+        return program.start([*self.launcher, PROGRAM, *self.words(*options)], ignored)
 
     def steps_of_checkpoints(self):
         """Runs it as nohup does, and hangs up again and again where it is one process; its
         status, the steps of the checkpoints that are seen, and its seconds."""
         begin, steps = time.time(), set()
-        process = self.start(preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        process = self.start(ignored=[signal.SIGHUP])
         while process.poll() is None:
             steps.add(self.step())
             if steps != {-1} and not self.launcher:

@@ -12,7 +12,6 @@ import os
 import re
 import shutil
 import signal
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -27,9 +26,7 @@ TWO_RANKS = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2")
 
 
 def start(directory, *options, launcher=()):
-    return subprocess.Popen(
-        [*launcher, PROGRAM, "--quiet", "--output", str(directory), *options],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    return program.start([*launcher, PROGRAM, "--quiet", "--output", str(directory), *options])
 
 
 def run(directory, *options):

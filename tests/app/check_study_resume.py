@@ -23,7 +23,7 @@ import time
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from program import started_by, status_of  # noqa: E402
+import program  # noqa: E402
 
 PROGRAM = os.environ["THERMOCONTACT"]
 N_KILLS = int(os.environ.get("THERMOCONTACT_KILLS", "2"))
@@ -54,12 +54,11 @@ def words(directory, *options):
 
 
 def start(directory, ranks=1):
-    return subprocess.Popen([*(MPIRUN if ranks == 2 else []), PROGRAM, *words(directory)],
-                            stderr=subprocess.PIPE, text=True, start_new_session=True)
+    return program.start([*(MPIRUN if ranks == 2 else []), PROGRAM, *words(directory)])
 
 
 def finish(directory, *options, **limits):
-    status = status_of(words(directory, *options), "/dev/null", "said", **limits)
+    status = program.status_of(words(directory, *options), "/dev/null", "said", **limits)
     message = Path("said").read_text()
     return status, message[message.find("thermocontact: "):]
 
@@ -87,7 +86,7 @@ def kill_again_and_again(directory):
         wait_for_rows(process, directory, before + 1)
         time.sleep(random.uniform(0, 0.1))
         if process.poll() is None:
-            ranks = started_by(process) # in groups of their own with Open MPI 5
+            ranks = program.started_by(process) # in groups of their own with Open MPI 5
             os.killpg(process.pid, signal.SIGKILL)
             for rank in ranks:
                 try:

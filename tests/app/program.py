@@ -44,6 +44,19 @@ def settings(overrides):
     return [word for override in overrides for word in ("--set", override)]
 
 
+def start(words, ignored=()):
+    """Starts a command in a session of its own. Signals end it but for those that are ignored,
+    whatever is ignored here, as by nohup."""
+    import signal
+    import subprocess
+
+    def set_signals():
+        for one in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
+            signal.signal(one, signal.SIG_IGN if one in ignored else signal.SIG_DFL)
+    return subprocess.Popen(words, stderr=subprocess.PIPE, text=True, start_new_session=True,
+                            preexec_fn=set_signals)
+
+
 def started_by(process):
     """The numbers of the processes that a process has started: the ranks of mpirun."""
     children = []
