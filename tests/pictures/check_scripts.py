@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """usage: check_scripts.py SOURCE_DIRECTORY
 
-What scripts/check_links, scripts/build, scripts/run, scripts/mutate and
+What scripts/check_links, scripts/build, scripts/run, scripts/mutate, scripts/bare and
 scripts/gallery report. The links of a small page, one by one, lead somewhere or
 not, as written beside each; the counts in the last line are those of the page.
 The others run in a project whose cmake, make, mpirun, program and packages are
@@ -315,6 +315,20 @@ def check_mutate(top):
           not result.stderr, result.stderr)
 
 
+def check_bare():
+    """What scripts/bare refuses before it makes anything."""
+    script = source / "scripts/bare"
+    for words, status in (((), 2), (("trixie",), 2), (("--no", "x"), 2), (("a/b", "true"), 2)):
+        result = subprocess.run([script, *words], capture_output=True, text=True, check=False)
+        check(f"bare {words}", result.returncode == status and not result.stdout and
+              "usage: scripts/bare" in result.stderr, result.stderr)
+    as_nobody = {"user": 65534, "group": 65534} if os.getuid() == 0 else {}
+    result = subprocess.run(["bash", "-s", "trixie", "true"], input=script.read_text(),
+                            capture_output=True, text=True, check=False, cwd="/", **as_nobody)
+    check("bare, as somebody", result.returncode == 125 and result.stderr ==
+          "scripts/bare: no bare trixie here: only root can make it\n", result.stderr)
+
+
 def check_run(top):
     project = Project(top)
     result, calls = project.run("run", "--help")
@@ -345,5 +359,6 @@ with tempfile.TemporaryDirectory() as scratch:
     check_foreign_clone(Path(scratch) / "foreign")
     check_installed(Path(scratch) / "installed")
     check_gallery(Path(scratch) / "gallery of")
+check_bare()
 check_help()
 sys.exit(1 if n_failed else 0)
