@@ -311,8 +311,9 @@ namespace ThermoContact
 
 
   void
-  EventLocator::accept_unilateral(const ContactValues       &next,
-                                  std::vector<ContactEvent> &events)
+  EventLocator::accept_unilateral(const ContactValues                &next,
+                                  const std::optional<ContactChange> &known,
+                                  std::vector<ContactEvent>          &events)
   {
     const LocalValues opposite{next, -side};
     if (opposite.is_any_in_contact() &&
@@ -336,16 +337,21 @@ namespace ThermoContact
         // A closed rigid obstacle holds the gap at zero, up to rounding, so
         // that the root is an end of the step. Contact changes the velocity
         // within it: that of the free side counts.
-        const unsigned int old_node = old.foremost();
-        const unsigned int node     = local.foremost();
-        const double       gap0     = -old.penetration(old_node);
-        const double       gap1     = -local.penetration(node);
-        const double       fraction = gap0 == gap1 ? 1. : gap0 / (gap0 - gap1);
-        add_event({present.time + std::min(std::max(fraction, 0.), 1.) *
-                                    (next.time - present.time),
+        const unsigned int  old_node = old.foremost();
+        const unsigned int  node     = local.foremost();
+        const double        gap0     = -old.penetration(old_node);
+        const double        gap1     = -local.penetration(node);
+        const double        fraction = gap0 == gap1 ? 1. : gap0 / (gap0 - gap1);
+        const ContactChange change =
+          known ?
+            *known :
+            ContactChange{present.time + std::min(std::max(fraction, 0.), 1.) *
+                                           (next.time - present.time),
+                          side * (touches ? old.velocity(old_node) :
+                                            local.velocity(node))};
+        add_event({change.time,
                    touches ? ContactEvent::begin : ContactEvent::end,
-                   side *
-                     (touches ? old.velocity(old_node) : local.velocity(node)),
+                   change.velocity,
                    side},
                   events);
       }
@@ -355,9 +361,10 @@ namespace ThermoContact
 
 
   void
-  EventLocator::accept(const ContactValues       &next,
-                       const Finding             &finding,
-                       std::vector<ContactEvent> &events)
+  EventLocator::accept(const ContactValues                &next,
+                       const Finding                      &finding,
+                       std::vector<ContactEvent>          &events,
+                       const std::optional<ContactChange> &known)
   {
     for (const ContactEvent &event : pending)
       add_event(event, events);
@@ -365,7 +372,7 @@ namespace ThermoContact
     if (mode_ == ContactMode::open && finding.kind == Finding::at_end)
       side = finding.side;
     if (mode_ == ContactMode::unilateral)
-      accept_unilateral(next, events);
+      accept_unilateral(next, known, events);
     else if (finding.kind == Finding::at_end)
       {
         const LocalValues  local{next, side};

@@ -210,4 +210,5 @@ namespace ThermoContact
 
   template class RodFactors<1>;
   template class RodFactors<2>;
+  template class RodFactors<3>;
 } // namespace ThermoContact

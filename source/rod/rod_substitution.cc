@@ -191,4 +191,6 @@ namespace ThermoContact
   RodFactors<1>::solve(const Right &, const Solution &) const;
   template void
   RodFactors<2>::solve(const Right &, const Solution &) const;
+  template void
+  RodFactors<3>::solve(const Right &, const Solution &) const;
 } // namespace ThermoContact

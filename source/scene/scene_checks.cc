@@ -157,10 +157,6 @@ namespace ThermoContact
         parameters.mesh.grading != 1.,
         text("Mesh/Grading = ", parameters.mesh.grading),
         "Mesh/Grading = 1: a wave passes all cells in the same time");
-      scheme.since(scene.material.has_viscosity(),
-                   text("Model/Viscosity = ", parameters.model.viscosity),
-                   "Model/Viscosity = 0: no step is free of dispersion in a "
-                   "viscous rod");
       scheme.since(parameters.contact.massless_nodes == "on",
                    "Contact/Massless nodes = on",
                    "Contact/Massless nodes = automatic: the contact node keeps "

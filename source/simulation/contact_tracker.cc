@@ -196,7 +196,15 @@ namespace ThermoContact
         reset.settle_velocities(result.closed_nodes, result.state);
         get_values(result.state, next);
       }
-    locator.accept(next, finding, events);
+    const std::size_t n_events = events.size();
+    locator.accept(next, finding, events, result.contact_change);
+    // a node without mass does not fly when it leaves, and then follows waves
+    // shorter than those that the mesh has
+    if (body.scene.contact.is_in_equilibrium() &&
+        !body.scene.material.has_viscosity())
+      for (std::size_t i = n_events; i < events.size(); ++i)
+        if (events[i].kind == ContactEvent::end)
+          events[i].velocity = nan;
     if (!events.empty()) // it may have been extrapolated
       events.back().time =
         std::min(events.back().time, body.scene.parameters.time.end_time);

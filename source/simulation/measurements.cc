@@ -21,13 +21,10 @@ namespace ThermoContact
         const auto  place_at = [&](const double x) {
           return Place<dim>{geometry.on_axis(x), geometry.on_axis(x)};
         };
-        std::vector<Place<dim>> places = {place_at(0.5)};
-        if (body.scene.has_midpoint_mass)
-          places.push_back(
-            place_at(1. - 0.5 * body.scene.parameters.mesh.contact_spacing()));
         on_axis = std::make_unique<PointValues<dim>>(body.scene,
                                                      body.discretization,
-                                                     places);
+                                                     std::vector<Place<dim>>{
+                                                       place_at(0.5)});
       }
     if (!body.scene.fields.has_temperature)
       return;
@@ -101,8 +98,6 @@ namespace ThermoContact
       {
         end.get_values(Field::displacement, state.velocity, contact_values);
         record.velocity_end = end.mean(contact_values);
-        if (body.scene.has_midpoint_mass)
-          record.velocity_end = on_axis->evaluate_axial(state.velocity)[1];
       }
 
     const auto [smallest, largest] =

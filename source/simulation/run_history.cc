@@ -19,7 +19,7 @@ namespace ThermoContact
     {
       const ContactLaw &law = *scene.contact.law;
       return scene.parameters.dimension == 1 && scene.scheme.order > 1 &&
-             !scene.scheme.has_midpoint_rule && !law.is_rigid() &&
+             !scene.scheme.has_mean_velocity && !law.is_rigid() &&
              law.damping() == 0. && !scene.contact.is_two_sided();
     }
   } // namespace

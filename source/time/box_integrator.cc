@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/local_sums.h>
+#include <thermocontact/base/tolerances.h>
+#include <thermocontact/method/bracketed_root.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/box_integrator.h>
 #include <thermocontact/time/schemes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -42,20 +49,13 @@ namespace ThermoContact
   {
     static const BoxMaker maker;
     Scheme                scheme;
-    scheme.name  = "box";
-    scheme.text  = "for waves in an elastic rod, which have no dispersion in "
-                   "steps of h sqrt(b)";
-    scheme.order = 2;
-    scheme.can_create_energy = false;
-    scheme.has_midpoint_rule = true;
-    scheme.has_no_dispersion = true;
-    scheme.needs_inertia     = "without inertia there are no waves";
-    scheme.needs_linear_contact =
-      "the scheme knows the potential of linear laws only";
-    scheme.needs_constant_exchange =
-      "the scheme finds its pressures before it knows the temperatures";
-    scheme.needs_resting_end =
-      "its midpoint rule would let the velocity of a moving end alternate";
+    scheme.name = "box";
+    scheme.text =
+      "for waves in a rod, without dispersion in steps of h sqrt(b)";
+    scheme.order               = 2;
+    scheme.can_create_energy   = false;
+    scheme.has_no_dispersion   = true;
+    scheme.needs_inertia       = "without inertia there are no waves";
     scheme.needs_factors       = true;
     scheme.cannot_hold_contact = "a wave passes a cell in each of its steps";
     scheme.step_exponent       = 0.5;
@@ -68,17 +68,29 @@ namespace ThermoContact
   BoxIntegrator::BoxIntegrator(Body<1> &body)
     : body(body)
     , solver(body)
-    , driven(body)
-    , midpoint(body.discretization.make_state())
-    , heat_load(body.discretization.make_vector(Field::temperature))
-    , momentum_load(body.discretization.make_vector(Field::displacement))
+    , end_node(body.discretization.n_displacement_dofs() - 1)
+    , impedance(std::sqrt(body.scene.material.inertia))
+    , n_heat_stages(body.scene.fields.has_temperature ? HeatStages::n : 0)
+    , rates(solver.make_rates())
+    , right(rates)
+    , known_velocity(rates.velocity)
+    , known_displacement(rates.velocity)
+    , known_temperature(rates.temperature_rate[0])
+    , heat_load(rates.temperature_rate)
+    , momentum_load(rates.velocity)
+    , stage_momentum_load(rates.velocity)
+    , end_heating{}
+    , heat_lift(known_temperature)
+    , heat_scratch(known_temperature)
+    , momentum_lift(rates.velocity)
+    , velocity_change(rates.velocity)
+    , viscous_part(rates.velocity)
+    , stage(body.discretization.make_state())
+    , acceleration(rates.velocity)
   {
-    rates.temperature_rate = heat_load;
-    rates.velocity         = momentum_load;
-    acceleration           = momentum_load;
-    has_mean_pressure      = body.law().is_active() && !body.law().is_rigid() &&
-                        body.law().tangent(1.) >=
-                          0.5 * body.scene.parameters.mesh.contact_spacing();
+    Assert(body.contact_end().entries(Field::displacement)[0].second ==
+             end_node,
+           ExcInternalError());
   }
 
 
@@ -90,111 +102,584 @@ namespace ThermoContact
                       StepResult &result)
   {
     const double size = time_step.size;
-    move_obstacle(state, time_step);
-    body.loads.assemble(0.5 * (time_step.first_loads + time_step.last_loads),
-                        heat_load,
-                        momentum_load);
-    solve_without_contact(state, time_step);
+    obstacle.gap      = state.gap;
+    obstacle.gap_rate = state.gap_rate;
+    body.obstacle.place(time_step.end, obstacle);
+    set_loads(state, time_step);
+    solve_without_contact(state, size);
+    const EndContact end = find_contact(state, size);
+    advance(state, time_step, end, result.state);
+    result.contact_change.reset();
     if (body.law().is_active())
-      apply_contact(state, time_step);
-
-    driven.complete(0, rates, acceleration);
-    set_equal(midpoint.velocity, rates.velocity);
-    set_sum(midpoint.temperature,
-            state.temperature,
-            0.5 * size,
-            rates.temperature_rate);
-
-    result.state.copy_values(state);
-    result.state.time     = time_step.end;
-    result.state.gap      = obstacle.gap;
-    result.state.gap_rate = obstacle.gap_rate;
-    result.state.temperature.add(size, rates.temperature_rate);
-    result.state.displacement.add(size, rates.velocity);
-    result.state.velocity.sadd(-1., 2., rates.velocity);
-    if (body.law().is_active())
-      {
-        result.state.contact_pressure = rates.pressure;
-        if (has_mean_pressure)
-          set_pressures_of_law(body, result.state);
-      }
+      result.contact_change =
+        contact_change(state, path_of_node(state, size), end, result.state);
 
     result.failure.clear();
-    result.n_iterations  = rates.n_iterations;
+    result.n_iterations  = end.contact.pressure != 0.;
     result.is_prescribed = false;
-    result.dissipation   = size * body.energy.dissipation_rate(midpoint);
-    result.lateral_dissipation =
-      size * body.energy.lateral_dissipation_rate(midpoint);
-    midpoint.contact_pressure = rates.pressure;
-    result.work =
-      !body.energy.has_work() ?
-        0. :
-        size * (body.energy.work_rate(heat_load, momentum_load, midpoint) +
-                body.energy.obstacle_power(midpoint));
-    result.work += size * driven.power(midpoint,
-                                       rates.temperature_rate,
-                                       acceleration,
-                                       {heat_load, momentum_load});
-    result.impulse   = size * body.contact_end().mean(rates.pressure);
+    result.impulse = size * body.contact_end().share(0) * end.contact.pressure;
     result.algebraic = 0.;
-    result.energy    = body.energy.energy(result.state);
+    book(state, size, end, result);
+    result.energy = body.energy.energy(result.state);
     result.close_balance();
   }
 
 
 
   void
-  BoxIntegrator::move_obstacle(const State &state, const TimeStep &time_step)
+  BoxIntegrator::set_loads(const State &state, const TimeStep &time_step)
   {
-    obstacle.gap      = state.gap;
-    obstacle.gap_rate = state.gap_rate;
-    body.obstacle.place(time_step.end, obstacle);
-    for (unsigned int i = 0; i < state.gap.size(); ++i)
-      midpoint.gap_rate[i] = (obstacle.gap[i] - state.gap[i]) / time_step.size;
+    const Scene &scene = body.scene;
+    const auto   time  = [&](const double part) {
+      return time_step.first_loads +
+             part * (time_step.last_loads - time_step.first_loads);
+    };
+    if (n_heat_stages == 0)
+      body.loads.assemble(time(0.5), heat_lift, momentum_load);
+    else
+      set_zero(momentum_load);
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      {
+        body.loads.assemble(time(HeatStages::times[i]),
+                            heat_load[i],
+                            stage_momentum_load);
+        set_sum(momentum_load,
+                momentum_load,
+                HeatStages::weights[i],
+                stage_momentum_load);
+      }
+
+    end_heating.fill(0.);
+    for (const unsigned int entry : body.driven_end.entries(Field::temperature))
+      for (unsigned int j = 0; j < HeatStages::n; ++j)
+        {
+          const double rise =
+            scene.heat.fixed_end_drive->value(time(HeatStages::times[j])) -
+            state.temperature.begin()[entry];
+          for (unsigned int i = 0; i < HeatStages::n; ++i)
+            end_heating[i] += HeatStages::inverse[i][j] * rise / time_step.size;
+        }
+    end_velocity = 0.;
+    for (const unsigned int entry :
+         body.driven_end.entries(Field::displacement))
+      end_velocity = (scene.fixed_end_motion->value(time(1.)) -
+                      state.displacement.begin()[entry]) /
+                     time_step.size;
   }
 
 
 
   void
-  BoxIntegrator::solve_without_contact(const State    &state,
-                                       const TimeStep &time_step)
+  BoxIntegrator::solve_without_contact(const State &state, const double size)
   {
-    const double tau = 0.5 * time_step.size;
-    if (!driven.is_active())
+    using Term                  = RodMatrices::Term;
+    const Material    &material = body.scene.material;
+    const RodMatrices &products = *body.equations.rod();
+    const double       tau      = 0.5 * size;
+
+    // what the fixed end does is known
+    set_equal(known_velocity, state.velocity);
+    set_equal(known_displacement, state.displacement);
+    known_velocity.begin()[0] -= end_velocity;
+    known_displacement.begin()[0] += (tau + material.viscosity) * end_velocity;
+    const Term inertia = {material.inertia,
+                          RodMatrices::momentum_mass,
+                          known_velocity.begin()};
+    const Term elastic = {-tau,
+                          RodMatrices::stiffness,
+                          known_displacement.begin()};
+    if (n_heat_stages == 0)
+      products.combine<2>({{inertia, elastic}},
+                          tau,
+                          momentum_load.begin(),
+                          right.velocity.begin());
+    else
       {
-        solver.solve_without_contact(
-          state, tau, heat_load, momentum_load, rates);
+        set_equal(known_temperature, state.temperature);
+        for (unsigned int i = 0; i < n_heat_stages; ++i)
+          {
+            double rise = 0.;
+            for (unsigned int j = 0; j < n_heat_stages; ++j)
+              rise += size * HeatStages::coefficients[i][j] * end_heating[j];
+            known_temperature.begin()[0] = state.temperature.begin()[0] + rise;
+            products.combine<1>(
+              {{{-1., RodMatrices::conduction, known_temperature.begin()}}},
+              1.,
+              heat_load[i].begin(),
+              right.temperature_rate[i].begin());
+            if (!body.driven_end.is_active())
+              continue;
+            heat_lift.begin()[0] = end_heating[i];
+            body.equations.heat_mass.add(-1.,
+                                         heat_lift,
+                                         right.temperature_rate[i],
+                                         heat_scratch);
+            momentum_lift.begin()[0] = end_velocity;
+            if (material.has_heating())
+              body.equations.divergence.add(-material.heating,
+                                            momentum_lift,
+                                            right.temperature_rate[i],
+                                            heat_scratch);
+          }
+        double rise = 0.; // of the mean of the stages
+        for (unsigned int i = 0; i < n_heat_stages; ++i)
+          for (unsigned int j = 0; j < n_heat_stages; ++j)
+            rise += HeatStages::weights[i] * size *
+                    HeatStages::coefficients[i][j] * end_heating[j];
+        known_temperature.begin()[0] = state.temperature.begin()[0] + rise;
+        products.combine<3>({{inertia,
+                              elastic,
+                              {tau * material.thermal_stress,
+                               RodMatrices::thermal_stress,
+                               known_temperature.begin()}}},
+                            tau,
+                            momentum_load.begin(),
+                            right.velocity.begin());
+      }
+    solver.solve(size, right, rates);
+    rates.velocity.begin()[0] = end_velocity;
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      rates.temperature_rate[i].begin()[0] = end_heating[i];
+  }
+
+
+
+  BoxIntegrator::EndValues
+  BoxIntegrator::end_response(const BoxRates &response, const double size) const
+  {
+    EndValues values;
+    values.velocity = response.velocity.begin()[end_node];
+    values.inner    = response.velocity.begin()[end_node - 1];
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      for (unsigned int j = 0; j < n_heat_stages; ++j)
+        values.temperature[i] += size * HeatStages::coefficients[i][j] *
+                                 response.temperature_rate[j].begin()[end_node];
+    return values;
+  }
+
+
+
+  BoxIntegrator::EndValues
+  BoxIntegrator::end_values(const State &state, const double size) const
+  {
+    EndValues values  = end_response(rates, size);
+    values.old_middle = 0.5 * (state.velocity.begin()[end_node] +
+                               state.velocity.begin()[end_node - 1]);
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      values.temperature[i] += state.temperature.begin()[end_node] -
+                               body.scene.heat.obstacle_temperature;
+    return values;
+  }
+
+
+
+  StepPath
+  BoxIntegrator::path_of_node(const State &state, const double size) const
+  {
+    const ContactLaw &law = body.law();
+    const double      u   = state.displacement.begin()[end_node];
+    const double      p   = state.contact_pressure[0];
+    // the pressure has more digits than the difference of displacement and gap
+    const auto start = [&](const double penetration, const double pressure) {
+      return law.damping() > 0. ? penetration :
+             pressure > 0.      ? law.penetration(pressure) :
+                                  std::min(penetration, 0.);
+    };
+    StepPath path;
+    path.size       = size;
+    path.front      = start(u - state.gap[0], p);
+    path.front_rate = (obstacle.gap[0] - state.gap[0]) / size;
+    path.rear       = start(-u - body.scene.contact.rear_gap, -p);
+    path.negligible_velocity =
+      Tolerances::rounding_of_solution * rates.velocity.linfty_norm();
+    return path;
+  }
+
+
+
+  void
+  BoxIntegrator::finish_node(const EndValues &values, EndContact &end) const
+  {
+    const ContactLaw  &law     = body.law();
+    const StepContact &contact = end.contact;
+    // with what arrives at the end of the step, but for its own pressure
+    const double arriving = values.velocity + values.inner - values.old_middle +
+                            contact.pressure / impedance;
+    const int    side = contact.end_pressure < 0. ? -1 : 1;
+    const double rate = side > 0 ? obstacle.gap_rate[0] : 0.;
+    end.end_pressure  = contact.end_pressure;
+    if (law.is_rigid() && contact.pressure != 0.)
+      {
+        // what stops the end, if it comes
+        end.stopping     = impedance * (arriving - rate);
+        end.end_pressure = side * end.stopping > 0. ? end.stopping : 0.;
+      }
+    if (law.damping() > 0. && contact.end_pressure != 0.)
+      {
+        const double elastic = std::abs(contact.end_pressure);
+        end.end_pressure     = side *
+                           std::max(0.,
+                                    elastic + law.damping() * elastic * side *
+                                                (arriving - rate)) /
+                           (1. + law.damping() * elastic / impedance);
+      }
+    end.end_velocity = arriving - end.end_pressure / impedance;
+  }
+
+
+
+  BoxIntegrator::EndContact
+  BoxIntegrator::contact_for(const double     coefficient,
+                             const EndValues &free,
+                             const StepPath  &path_without_exchange,
+                             const double     size)
+  {
+    constexpr unsigned int n = HeatStages::n;
+    const bool             flows =
+      n_heat_stages > 0 && !body.scene.heat.exchange->is_constant();
+    EndContact end;
+    end.coefficient = coefficient;
+    EndValues values(free);
+    EndValues by_pressure;
+    // fluxes q = k (theta - p dtheta), and what they take of the rest
+    std::array<double, n>                flux{}, flux_by_pressure{};
+    std::array<EndValues, HeatStages::n> by_flux;
+    if (body.law().is_active())
+      by_pressure = end_response(solver.response_to_pressure(size), size);
+    if (flows)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          by_flux[i] = end_response(solver.response_to_flux(size, i), size);
+        const auto a = [&](const unsigned int i, const unsigned int j) {
+          return (i == j) + coefficient * by_flux[j].temperature[i];
+        };
+        const double determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+        const auto   fluxes      = [&](const EndValues &of) {
+          return std::array<double, n>{
+            {coefficient *
+               (a(1, 1) * of.temperature[0] - a(0, 1) * of.temperature[1]) /
+               determinant,
+             coefficient *
+               (a(0, 0) * of.temperature[1] - a(1, 0) * of.temperature[0]) /
+               determinant}};
+        };
+        flux             = fluxes(free);
+        flux_by_pressure = fluxes(by_pressure);
+      }
+    const auto take =
+      [](EndValues &from, const double factor, const EndValues &what) {
+        from.velocity -= factor * what.velocity;
+        from.inner -= factor * what.inner;
+      };
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        take(values, flux[i], by_flux[i]);
+        take(by_pressure, flux_by_pressure[i], by_flux[i]);
+      }
+    StepPath path(path_without_exchange);
+    path.free_velocity = end.free_velocity = values.velocity;
+    path.response                          = by_pressure.velocity;
+    end.contact.velocity                   = values.velocity;
+    if (body.law().is_active())
+      end.contact = solve_step_contact(body.law(), path);
+    take(values, end.contact.pressure, by_pressure);
+    for (unsigned int i = 0; i < n; ++i)
+      end.flux[i] = flux[i] - end.contact.pressure * flux_by_pressure[i];
+    finish_node(values, end);
+    return end;
+  }
+
+
+
+  BoxIntegrator::EndContact
+  BoxIntegrator::find_contact(const State &state, const double size)
+  {
+    const EndValues free = end_values(state, size);
+    StepPath        path;
+    if (body.law().is_active())
+      path = path_of_node(state, size);
+    if (body.law().is_active() && !body.scene.material.has_viscosity())
+      impedance =
+        1. / solver.response_to_pressure(size).velocity.begin()[end_node];
+    EndContact end;
+    if (n_heat_stages == 0 || body.scene.heat.exchange->is_constant())
+      end = contact_for(state.exchange_coefficient[0], free, path, size);
+    else
+      {
+        const HeatExchange &exchange = *body.scene.heat.exchange;
+        const auto          law_at   = [&](const double coefficient) {
+          end            = contact_for(coefficient, free, path, size);
+          const double s = std::max(path.front + size * (end.contact.velocity -
+                                                         path.front_rate),
+                                    path.rear - size * end.contact.velocity);
+          return exchange.coefficient(end.end_pressure != 0. ? 0. : s,
+                                      std::abs(end.end_pressure));
+        };
+        const double old_coefficient = state.exchange_coefficient[0];
+        const auto   excess          = [&](const double coefficient) {
+          return coefficient - law_at(0.5 * (old_coefficient + coefficient));
+        };
+        // from the last one in the direction of the law to a change of sign
+        double       low = old_coefficient, high = low;
+        const double first  = excess(low);
+        double       at_low = first, at_high = first;
+        if (first < 0.)
+          for (high = low - first; (at_high = excess(high)) < 0.;
+               low = std::exchange(high, 2. * high), at_low = at_high)
+            if (!std::isfinite(high))
+              throw ComputationError(
+                "no heat exchange coefficient goes with the contact\n  remedy: "
+                " another Boundary/Heat exchange");
+        if (first > 0.)
+          for (low  = high - first; (at_low = excess(low)) > 0.;
+               high = std::exchange(low, 0.5 * low), at_high = at_low)
+            ;
+        const double found =
+          first == 0. ?
+            low :
+            bracketed_root(excess, low, high, at_low, at_high).first;
+        end = contact_for(0.5 * (old_coefficient + found), free, path, size);
+        end.end_coefficient = found;
+      }
+    if (end.contact.pressure != 0.)
+      add_response(end.contact.pressure, solver.response_to_pressure(size));
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      if (end.flux[i] != 0.)
+        add_response(end.flux[i], solver.response_to_flux(size, i));
+    return end;
+  }
+
+
+
+  void
+  BoxIntegrator::add_response(const double load, const BoxRates &response)
+  {
+    rates.velocity.add(-load, response.velocity);
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      rates.temperature_rate[i].add(-load, response.temperature_rate[i]);
+  }
+
+
+
+  void
+  BoxIntegrator::advance(const State      &state,
+                         const TimeStep   &time_step,
+                         const EndContact &end,
+                         State            &new_state)
+  {
+    const double size = time_step.size;
+    new_state.copy_values(state);
+    new_state.time     = time_step.end;
+    new_state.gap      = obstacle.gap;
+    new_state.gap_rate = obstacle.gap_rate;
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      new_state.temperature.add(size * HeatStages::weights[i],
+                                rates.temperature_rate[i]);
+    for (const unsigned int entry : body.driven_end.entries(Field::temperature))
+      new_state.temperature.begin()[entry] =
+        body.scene.heat.fixed_end_drive->value(time_step.last_loads);
+    new_state.displacement.add(size, rates.velocity);
+    for (const unsigned int entry :
+         body.driven_end.entries(Field::displacement))
+      new_state.displacement.begin()[entry] =
+        body.scene.fixed_end_motion->value(time_step.last_loads);
+    advance_velocity(size, state, new_state.velocity);
+
+    // values that alternate from node to node are zero in all cells
+    double *const v      = new_state.velocity.begin();
+    double        change = end.end_velocity - v[end_node];
+    for (unsigned int i = end_node + 1; i-- > 0; change = -change)
+      v[i] += change;
+
+    if (!body.law().is_active())
+      return;
+    new_state.contact_pressure[0] = end.end_pressure;
+    if (!body.scene.heat.exchange->is_constant())
+      new_state.exchange_coefficient[0] = end.end_coefficient;
+    if (body.law().damping() > 0.)
+      return;
+    // on the obstacle to the last digit, and never behind it
+    double &u = new_state.displacement.begin()[end_node];
+    u         = end.end_pressure != 0. ?
+                  displacement_of_law(body, new_state, 0) :
+                  std::max(std::min(u, new_state.gap[0]), -body.scene.contact.rear_gap);
+  }
+
+
+
+  double
+  BoxIntegrator::arriving(const State &state, const unsigned int cell) const
+  {
+    const Material    &material = body.scene.material;
+    const unsigned int i        = end_node - cell;
+    const double       h        = body.scene.parameters.mesh.contact_spacing();
+    const auto         jump     = [i](const Vector &vector) {
+      return vector.begin()[i] - vector.begin()[i - 1];
+    };
+    const auto middle = [i](const Vector &vector) {
+      return 0.5 * (vector.begin()[i] + vector.begin()[i - 1]);
+    };
+    double stress =
+      (jump(state.displacement) + material.viscosity * jump(rates.velocity)) /
+      h;
+    if (material.has_thermal_stress())
+      stress -= material.thermal_stress * middle(state.temperature);
+    return middle(state.velocity) - stress / impedance;
+  }
+
+
+
+  std::optional<ContactChange>
+  BoxIntegrator::contact_change(const State      &state,
+                                const StepPath   &path,
+                                const EndContact &end,
+                                const State      &new_state) const
+  {
+    const ContactLaw &law       = body.law();
+    const bool        is_damped = law.damping() > 0.;
+    const double      before    = !is_damped      ? state.contact_pressure[0] :
+                                  path.rear > 0.  ? -path.rear :
+                                  path.front > 0. ? path.front :
+                                                    0.;
+    const double      after =
+      is_damped ? end.contact.end_pressure : end.end_pressure;
+    if ((before != 0.) == (after != 0.))
+      return std::nullopt;
+
+    const int    side  = (before != 0. ? before : after) < 0. ? -1 : 1;
+    const double rate  = side > 0 ? path.front_rate : 0.;
+    const double start = side > 0 ? path.front : path.rear;
+    const auto   at    = [&](const double part, const double velocity) {
+      return ContactChange{state.time +
+                             path.size * std::min(std::max(part, 0.), 1.),
+                           velocity};
+    };
+    if (before == 0.)
+      {
+        const double velocity = end.free_velocity - rate;
+        return at(-start / (path.size * side * velocity), velocity);
+      }
+
+    const bool has_waves =
+      body.scene.material.viscosity <
+      impedance * body.scene.parameters.mesh.contact_spacing();
+    const double next = arriving(new_state, 0) - rate;
+    const double leaving =
+      has_waves ? next :
+                  end.end_velocity - (side > 0 ? obstacle.gap_rate[0] : 0.);
+    if (!law.is_rigid() && end.contact.weight == 0.)
+      return at(-start / (path.size * side * (end.contact.velocity - rate)),
+                leaving);
+
+    // what the obstacle stops before this step, and would at its end
+    const double stopped  = state.contact_pressure[0];
+    const double stopping = law.is_rigid() && end.contact.pressure != 0. ?
+                              end.stopping :
+                              impedance * (end.end_velocity - rate);
+    const double linear   = stopped / (stopped - stopping);
+    if (!has_waves || end_node < 3)
+      return at(linear, leaving);
+    // waves on their way back tell what came
+    const auto came = [&](const unsigned int cell) {
+      const unsigned int i        = end_node - cell;
+      const double       velocity = 0.5 * (new_state.velocity.begin()[i] +
+                                     new_state.velocity.begin()[i - 1]);
+      return arriving(new_state, cell) - 2. * (velocity - rate) - rate;
+    };
+    const double last = came(1);
+    const double jump = last - next;
+    const double around =
+      std::abs(came(2) - last) + std::abs(arriving(new_state, 1) - rate - next);
+    return at(around < 0.5 * std::abs(jump) ?
+                (end.free_velocity - rate - next) / jump :
+                linear,
+              leaving);
+  }
+
+
+
+  void
+  BoxIntegrator::advance_velocity(const double size,
+                                  const State &state,
+                                  Vector      &velocity)
+  {
+    const Material &material = body.scene.material;
+    if (!material.has_viscosity())
+      {
+        velocity.sadd(-1., 2., rates.velocity);
         return;
       }
-    static const std::vector<std::vector<double>> half   = {{0.5}};
-    static const std::vector<double>              weight = {1.};
-    driven.start(state, time_step.size, {half, weight, {time_step.last_loads}});
-    State      known(state);
-    const auto loads = driven.constrain(0, {heat_load, momentum_load}, known);
-    solver.solve_without_contact(known, tau, loads.heat, loads.momentum, rates);
+    set_sum(velocity_change, rates.velocity, -1., state.velocity);
+    set_equal(velocity, rates.velocity);
+    for (const double factor : {2., -1.})
+      {
+        body.equations.rod()->combine<1>({{{material.inertia,
+                                            RodMatrices::momentum_mass,
+                                            velocity_change.begin()}}},
+                                         0.,
+                                         nullptr,
+                                         viscous_part.begin());
+        solver.solve_viscous(size, viscous_part, velocity_change);
+        velocity.add(factor, velocity_change);
+      }
   }
 
 
 
   void
-  BoxIntegrator::apply_contact(const State &state, const TimeStep &time_step)
+  BoxIntegrator::book(const State      &state,
+                      const double      size,
+                      const EndContact &end,
+                      StepResult       &result)
   {
-    const ContactEnd<1> &end = body.contact_end();
-    get_node_laws(body, state, laws, start);
-    // the velocity first, then where it leads
-    end.get_values(Field::displacement, rates.velocity, end_position);
-    end_position[0] =
-      start[0] + (time_step.size * end_position[0] -
-                  (laws[0].side > 0 ? obstacle.gap[0] - state.gap[0] : 0.));
-    rates.pressure.assign(1, 0.);
-    rates.n_iterations = 0;
-    if (laws[0].is_open(start[0]) && laws[0].is_open(end_position[0]))
-      return;
-    if (has_mean_pressure)
-      laws[0].mean_from = start[0];
-    rates.pressure[0] =
-      laws[0].resolve(end_position[0], 2. * solver.response()(0, 0)).pressure;
-    rates.n_iterations = 1;
-    solver.apply_pressure(rates);
+    const double share = body.contact_end().share(0);
+    set_equal(stage.velocity, rates.velocity);
+    stage.contact_pressure[0] = end.contact.pressure;
+    if (body.scene.fields.has_temperature &&
+        !body.scene.heat.exchange->is_constant())
+      stage.exchange_coefficient[0] = end.coefficient;
+    for (unsigned int i = 0; i < stage.gap_rate.size(); ++i)
+      stage.gap_rate[i] = (obstacle.gap[i] - state.gap[i]) / size;
+    const bool moves = body.scene.sources.has_moving_end;
+    if (moves)
+      {
+        set_sum(stage.displacement,
+                state.displacement,
+                0.5 * size,
+                rates.velocity);
+        set_equal(acceleration, rates.velocity);
+        acceleration -= state.velocity;
+        acceleration *= 2. / size;
+      }
+
+    result.dissipation = result.lateral_dissipation = 0.;
+    result.work                = size * body.energy.obstacle_power(stage);
+    result.contact_dissipation = size * share * end.contact.damping_power;
+    const auto add             = [&](const double  weight,
+                         const Vector &heat,
+                         const Vector &heating) {
+      const double part = size * weight;
+      result.dissipation += part * body.energy.dissipation_rate(stage);
+      result.lateral_dissipation +=
+        part * body.energy.lateral_dissipation_rate(stage);
+      if (body.energy.has_work())
+        result.work += part * body.energy.work_rate(heat, momentum_load, stage);
+      if (body.driven_end.is_active())
+        result.work += part * body.driven_end.power(stage,
+                                                    heating,
+                                                    acceleration,
+                                                    heat,
+                                                    momentum_load);
+    };
+    if (n_heat_stages == 0)
+      add(1., heat_lift, heat_lift);
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      {
+        set_equal(stage.temperature, state.temperature);
+        for (unsigned int j = 0; j < n_heat_stages; ++j)
+          stage.temperature.add(size * HeatStages::coefficients[i][j],
+                                rates.temperature_rate[j]);
+        add(HeatStages::weights[i], heat_load[i], rates.temperature_rate[i]);
+      }
   }
 } // namespace ThermoContact

@@ -20,7 +20,7 @@ namespace ThermoContact
     scheme.order                  = 2;
     scheme.can_create_energy      = false;
     scheme.needs_massless_contact = true;
-    scheme.has_midpoint_rule      = true;
+    scheme.has_mean_velocity      = true;
     scheme.has_viscous_contact    = false;
     scheme.needs_inertia =
       "without inertia there is no energy of motion to conserve";

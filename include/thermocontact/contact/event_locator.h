@@ -7,6 +7,7 @@
 #include <thermocontact/method/cubic_hermite.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -32,6 +33,15 @@ namespace ThermoContact
     {
       archive &time &kind &velocity &side;
     }
+  };
+
+
+
+  /** Where in a step contact begins or ends, from a scheme that knows it. */
+  struct ContactChange
+  {
+    double time;
+    double velocity; ///< as ContactEvent has it
   };
 
 
@@ -285,11 +295,13 @@ namespace ThermoContact
      * and the one that it ends with.
      *
      * @param finding what examine() said; nothing for a unilateral step
+     * @param known of a unilateral step; else found between its ends
      */
     void
-    accept(const ContactValues       &next,
-           const Finding             &finding,
-           std::vector<ContactEvent> &events);
+    accept(const ContactValues                &next,
+           const Finding                      &finding,
+           std::vector<ContactEvent>          &events,
+           const std::optional<ContactChange> &known = std::nullopt);
 
     /**
      * Nodes with pressure, and those whose gap is as good as zero: not above
@@ -397,8 +409,9 @@ namespace ThermoContact
 
     /** The events within a unilateral step, if there are any. */
     void
-    accept_unilateral(const ContactValues       &next,
-                      std::vector<ContactEvent> &events);
+    accept_unilateral(const ContactValues                &next,
+                      const std::optional<ContactChange> &known,
+                      std::vector<ContactEvent>          &events);
   };
 } // namespace ThermoContact
 

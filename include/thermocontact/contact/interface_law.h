@@ -176,7 +176,7 @@ namespace ThermoContact
   /**
    * The mean of an elastic law over a step from $s_0$ to s, which does the work
    * of its potential V: $p=(V(s)-V(s_0))/(s-s_0)$, doc/contact-in-time.md
-   * (C6.9), in front of the node and behind it.
+   * (C6.5), in front of the node and behind it.
    */
   class Mean : public InterfaceLaw
   {

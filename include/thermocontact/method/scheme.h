@@ -48,8 +48,8 @@ namespace ThermoContact
     /** Its steps need responses to unit pressures, and so sparse factors. */
     bool needs_factors = false;
 
-    /** A step is the midpoint rule. */
-    bool has_midpoint_rule = false;
+    /** The velocity of its contact nodes is the mean one of a step. */
+    bool has_mean_velocity = false;
 
     /**
      * Waves in an elastic rod have no dispersion in its steps, in which they

@@ -8,7 +8,7 @@
 
 namespace ThermoContact
 {
-  /** Blocks of one or two fields, by rows; and their columns. */
+  /** Blocks of one to three fields, by rows; and their columns. */
   template <std::size_t n>
   using Small = std::array<double, n>;
 
@@ -25,6 +25,29 @@ namespace ThermoContact
     return {{a[3] * q, -a[1] * q, -a[2] * q, a[0] * q}};
   }
 
+  /** Cofactors of rows and columns next to these, in cyclic order. */
+  inline double
+  cofactor(const Small<9> &a, const unsigned int row, const unsigned int column)
+  {
+    const unsigned int r = (row + 1) % 3, s = (row + 2) % 3;
+    const unsigned int c = (column + 1) % 3, d = (column + 2) % 3;
+    return a[3 * r + c] * a[3 * s + d] - a[3 * r + d] * a[3 * s + c];
+  }
+
+  inline Small<9>
+  inverse(const Small<9> &a)
+  {
+    Small<9> result;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        result[3 * j + i] = cofactor(a, i, j);
+    const double q =
+      1. / (a[0] * result[0] + a[1] * result[3] + a[2] * result[6]);
+    for (double &entry : result)
+      entry *= q;
+    return result;
+  }
+
   inline Small<1>
   operator*(const Small<1> &a, const Small<1> &b)
   {
@@ -38,6 +61,17 @@ namespace ThermoContact
              a[0] * b[1] + a[1] * b[3],
              a[2] * b[0] + a[3] * b[2],
              a[2] * b[1] + a[3] * b[3]}};
+  }
+
+  inline Small<9>
+  operator*(const Small<9> &a, const Small<9> &b)
+  {
+    Small<9> result{};
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int j = 0; j < 3; ++j)
+          result[3 * i + j] += a[3 * i + k] * b[3 * k + j];
+    return result;
   }
 
   template <std::size_t n>
@@ -62,6 +96,13 @@ namespace ThermoContact
     y[1] -= a[2] * x[0] + a[3] * x[1];
   }
 
+  inline void
+  subtract_product(Small<3> &y, const Small<9> &a, const Small<3> &x)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+      y[i] -= a[3 * i] * x[0] + a[3 * i + 1] * x[1] + a[3 * i + 2] * x[2];
+  }
+
   inline Small<1>
   product(const Small<1> &a, const Small<1> &x)
   {
@@ -72,6 +113,16 @@ namespace ThermoContact
   product(const Small<4> &a, const Small<2> &x)
   {
     return {{a[0] * x[0] + a[1] * x[1], a[2] * x[0] + a[3] * x[1]}};
+  }
+
+
+  inline Small<3>
+  product(const Small<9> &a, const Small<3> &x)
+  {
+    Small<3> y;
+    for (unsigned int i = 0; i < 3; ++i)
+      y[i] = a[3 * i] * x[0] + a[3 * i + 1] * x[1] + a[3 * i + 2] * x[2];
+    return y;
   }
 
 
@@ -91,6 +142,20 @@ namespace ThermoContact
   {
     return (std::abs(a[0] * a[3]) + std::abs(a[1] * a[2])) /
            std::abs(a[0] * a[3] - a[1] * a[2]);
+  }
+
+  inline double
+  cancellation(const Small<9> &a)
+  {
+    double terms = 0., sum = 0.;
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        const unsigned int c = (j + 1) % 3, d = (j + 2) % 3;
+        terms += std::abs(a[j]) * (std::abs(a[3 + c] * a[6 + d]) +
+                                   std::abs(a[3 + d] * a[6 + c]));
+        sum += a[j] * cofactor(a, 0, j);
+      }
+    return terms / std::abs(sum);
   }
 } // namespace ThermoContact
 

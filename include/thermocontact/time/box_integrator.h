@@ -3,10 +3,12 @@
 #ifndef thermocontact_time_box_integrator_h
 #define thermocontact_time_box_integrator_h
 
-#include <thermocontact/time/driven_step.h>
-#include <thermocontact/time/monolithic_solver.h>
+#include <thermocontact/contact/step_contact.h>
+#include <thermocontact/time/box_solver.h>
 #include <thermocontact/time/time_integrator.h>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -14,9 +16,11 @@ namespace ThermoContact
   /**
    * The scheme without dispersion, doc/contact-in-time.md section 6: the
    * midpoint rule on equal linear cells whose mass is taken at their midpoints,
-   * in steps in which a wave passes one of them. One stage of length
-   * $\Delta t/2$, whose matrix and factorisation are those of other schemes;
-   * the contact node keeps its mass, and is one.
+   * in steps in which a wave passes one of them, with heat by an L-stable rule
+   * in the same linear system. The contact node keeps its mass, and is one.
+   *
+   * The velocity of a state is that of the cells, in their middles; its nodal
+   * values are those with which the contact end has its own velocity, (C6.13).
    */
   class BoxIntegrator : public TimeIntegrator
   {
@@ -37,40 +41,126 @@ namespace ThermoContact
     }
 
   private:
-    Body<1>            &body;
-    MonolithicSolver<1> solver;
+    Body<1>           &body;
+    BoxSolver          solver;
+    const unsigned int end_node;  ///< its place in a vector of displacements
+    double             impedance; ///< $1/\chi$, of a viscous rod $\sqrt b$
+    const unsigned int n_heat_stages; ///< 0: there is no heat
 
-    DrivenStep<1> driven; ///< of a fixed end that is heated
+    BoxRates rates, right;
 
-    StageRates rates;
-    State      midpoint;
-    State      obstacle; ///< gaps alone, at the end of the step
-    Vector     heat_load;
-    Vector     momentum_load;
-    Vector     acceleration; ///< of an end that rests
+    /** Known values, with what the fixed end does. */
+    Vector known_velocity, known_displacement, known_temperature;
+
+    std::array<Vector, HeatStages::n> heat_load;
+    Vector                            momentum_load; ///< mean of the step
+    Vector                            stage_momentum_load;
+
+    /** What the drive of the fixed end says of the rates there. */
+    std::array<double, HeatStages::n> end_heating;
+    double                            end_velocity = 0.;
+    Vector                            heat_lift, heat_scratch, momentum_lift;
+
+    Vector velocity_change, viscous_part; ///< of a viscous rod
+
+    State  stage;    ///< what a step does its work in
+    State  obstacle; ///< gaps alone, at the end of the step
+    Vector acceleration;
+
+    /** What contact asks of a step: at the end node, unless it says others. */
+    struct EndValues
+    {
+      double velocity   = 0.; ///< $w$
+      double inner      = 0.; ///< $w$ of its neighbour
+      double old_middle = 0.; ///< known velocity of the last cell
+
+      /** $\theta-\theta_{obs}$ at the stages. */
+      std::array<double, HeatStages::n> temperature{};
+    };
+
+    /** Pressure, heat exchange and what follows at the end of the step. */
+    struct EndContact
+    {
+      StepContact                       contact;
+      std::array<double, HeatStages::n> flux{};
+      double                            coefficient     = 0.; ///< mean k
+      double                            end_coefficient = 0.; ///< that at $t^1$
+      double                            end_pressure    = 0.; ///< $p^1$
+      double                            end_velocity    = 0.; ///< $v(1,t^1)$
+      double free_velocity = 0.; ///< $w$ without pressure
+
+      /** $p^1$ of a rigid obstacle that may pull. */
+      double stopping = 0.;
+    };
+
+    /** Loads and motions of a step. */
+    void
+    set_loads(const State &state, const TimeStep &time_step);
+
+    /** The rates without pressure and with the heat flux of a number k. */
+    void
+    solve_without_contact(const State &state, const double size);
+
+    EndValues
+    end_values(const State &state, const double size) const;
+
+    /** What a unit load takes from them. */
+    EndValues
+    end_response(const BoxRates &response, const double size) const;
+
+    /** The contact node for a coefficient of the heat exchange. */
+    EndContact
+    contact_for(const double     coefficient,
+                const EndValues &free,
+                const StepPath  &path,
+                const double     size);
+
+    /** With the coefficient of its law. */
+    EndContact
+    find_contact(const State &state, const double size);
+
+    /** Takes the response to a load of the contact node from the rates. */
+    void
+    add_response(const double load, const BoxRates &response);
+
+    /** Pressure and velocity of the node at the end of the step, (C6.13). */
+    void
+    finish_node(const EndValues &values, EndContact &end) const;
+
+    StepPath
+    path_of_node(const State &state, const double size) const;
+
+    /** The state at the end of the step. */
+    void
+    advance(const State      &state,
+            const TimeStep   &time_step,
+            const EndContact &end,
+            State            &new_state);
 
     /**
-     * The pressure is the mean that conserves energy, $\varepsilon\ge h/2$,
-     * from where on the mesh follows the obstacle without overshooting. Else it
-     * is that of the law at the end of the step, which takes energy; (C6.9).
+     * The velocity at its end, (C6.12): of a viscous rod without what the
+     * midpoint rule lets alternate.
      */
-    bool has_mean_pressure = false;
-
-    std::vector<NodeLaw> laws;         ///< of the contact node in the step
-    std::vector<double>  start;        ///< its position at the beginning
-    std::vector<double>  end_position; ///< and at the end, without contact
-
-    /** Where the obstacle will be, and its mean velocity. */
     void
-    move_obstacle(const State &state, const TimeStep &time_step);
+    advance_velocity(const double size, const State &state, Vector &velocity);
 
-    /** The stage to the middle of the step, with a driven end. */
-    void
-    solve_without_contact(const State &state, const TimeStep &time_step);
+    /** Velocity of the end where what is in this cell from it arrives. */
+    double
+    arriving(const State &state, const unsigned int cell) const;
 
-    /** Finds $\bar p$ and adds its response to the rates. */
+    /** Where in the step the node meets or leaves an obstacle, (C6.14). */
+    std::optional<ContactChange>
+    contact_change(const State      &state,
+                   const StepPath   &path,
+                   const EndContact &end,
+                   const State      &new_state) const;
+
+    /** Work and dissipation. */
     void
-    apply_contact(const State &state, const TimeStep &time_step);
+    book(const State      &state,
+         const double      size,
+         const EndContact &end,
+         StepResult       &result);
   };
 } // namespace ThermoContact
 

@@ -4,12 +4,14 @@
 #define thermocontact_time_time_integrator_h
 
 #include <thermocontact/contact/contact_law.h>
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/stage_solver.h>
 #include <thermocontact/time/step_controller.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace ThermoContact
@@ -36,6 +38,9 @@ namespace ThermoContact
      * have closed: no stage has seen their pressure there. Else empty.
      */
     std::vector<bool> closed_nodes;
+
+    /** Where contact begins or ends in the step, if the scheme knows it. */
+    std::optional<ContactChange> contact_change;
 
     std::string failure; ///< empty: the step is solved
 
