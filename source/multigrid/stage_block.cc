@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/multigrid/stage_block.h>
+#include <thermocontact/space/system_coefficients.h>
 
 #include <algorithm>
 
@@ -17,13 +18,15 @@ namespace ThermoContact
     : levels(levels)
     , level(level)
     , field(field)
-    , mass(
-        (field == Field::temperature ? 1. : levels.scene().material.inertia) /
-        scale)
-    , stiffness(tau *
-                (field == Field::temperature ?
-                   1. :
-                   tau + levels.scene().material.viscosity) /
+    , mass(mass_and_stiffness(stage_coefficients(tau),
+                              levels.scene().material,
+                              field)
+             .mass /
+           scale)
+    , stiffness(mass_and_stiffness(stage_coefficients(tau),
+                                   levels.scene().material,
+                                   field)
+                  .stiffness /
                 scale)
     , scale(scale)
   {

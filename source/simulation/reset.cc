@@ -94,13 +94,14 @@ namespace ThermoContact
 
 
   template <int dim>
-  const HeatSystem<dim> &
+  LinearSystem<dim> &
   Reset<dim>::provide_heat_mass()
   {
     if (!heat_mass)
       {
-        heat_mass = std::make_unique<const HeatSystem<dim>>(body.equations);
-        counters_.factorizations += heat_mass->has_factors();
+        heat_mass =
+          std::make_unique<LinearSystem<dim>>(body.equations, heat_at_once);
+        counters_.factorizations += heat_mass->n_factorizations();
       }
     return *heat_mass;
   }
@@ -333,7 +334,7 @@ namespace ThermoContact
         body.loads.assemble(state.load_time, heat, load);
         Vector right(heat), unused(load);
         body.equations.stage_rhs(state, 0., heat, load, right, unused);
-        body.equations.subtract_heating(state.velocity, right);
+        body.equations.add_heating(state.velocity, -1., right);
         if (!body.scene.heat.exchange->is_constant())
           {
             std::vector<double> flux;

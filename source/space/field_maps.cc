@@ -26,7 +26,8 @@ namespace ThermoContact
           return y == nullptr ?
                    rod.form(kind, x.begin()) :
                    rod.form_of_difference(kind, x.begin(), y->begin());
-        }};
+        },
+        kind};
     }
   } // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/space/energy.h>
-#include <thermocontact/space/heat_system.h>
+#include <thermocontact/space/linear_system.h>
 
 namespace ThermoContact
 {
@@ -27,7 +27,7 @@ namespace ThermoContact
                                             -heat.reference_coefficient),
                         1.,
                         exchange);
-    const HeatSystem<dim> system_at_rest(stage_operator, &exchange);
+    LinearSystem<dim> system_at_rest(stage_operator, heat_at_rest, &exchange);
     // the second time of the rounding of the first solution
     for (unsigned int i = 0; i < 2; ++i)
       {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/linear_system.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/dirk_integrator.h>
 #include <thermocontact/time/fixed_point_solver.h>
@@ -293,15 +293,16 @@ namespace ThermoContact
                                         const double tau,
                                         Vector      &rate)
   {
-    DirectSolver heat_solver(body.equations.heat_stage_matrix(tau));
-    ++counters_.factorizations;
+    LinearSystem<dim> heat_system(
+      body.equations, stage_coefficients(tau).of(Field::temperature));
+    counters_.factorizations += heat_system.n_factorizations();
     Vector heat_rhs(heat_load), momentum_rhs(momentum_load);
     known            = state;
     const auto loads = driven.constrain(0, {heat_load, momentum_load}, known);
     body.equations.stage_rhs(
       known, tau, loads.heat, momentum_load, heat_rhs, momentum_rhs);
-    body.equations.subtract_heating(state.velocity, heat_rhs);
-    heat_solver.solve(rate, heat_rhs);
+    body.equations.add_heating(state.velocity, -1., heat_rhs);
+    heat_system.solve(rate, heat_rhs);
     ++counters_.solves;
     driven.complete(0, stages[0], accelerations[0]);
   }

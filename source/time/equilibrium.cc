@@ -3,18 +3,27 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/interface_problem.h>
-#include <thermocontact/space/conjugate_gradients.h>
-#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/linear_system.h>
 #include <thermocontact/time/equilibrium.h>
 #include <thermocontact/time/iterative_solver.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
+#include <algorithm>
 
 namespace ThermoContact
 {
   namespace
   {
-    /** By factors and responses to unit pressures. */
+    template <class Matrix>
+    const SystemCoefficients &
+    coefficients(const Matrix matrix)
+    {
+      return matrix == Matrix::inertia ? motion_by_inertia :
+                                         motion_by_stiffness;
+    }
+
+
+
+    /** By a system and its responses to unit pressures. */
     template <int dim>
     class DirectEquilibrium : public Equilibrium<dim>
     {
@@ -32,23 +41,20 @@ namespace ThermoContact
       void
       provide() override
       {
-        if (factors)
+        if (system)
           return;
-        // a stage without length has bM_u, one of length 1 without inertia the
-        // sum of elastic and viscous stiffness
-        auto made =
-          std::make_unique<DirectSolver>(body.equations.momentum_stage_matrix(
-            kind == Matrix::inertia ? 0. : 1.));
-        ++counters.factorizations;
+        auto made = std::make_unique<LinearSystem<dim>>(body.equations,
+                                                        coefficients(kind));
+        counters.factorizations += made->n_factorizations();
         if (body.law().is_active())
           make_responses(*made);
-        factors = std::move(made);
+        system = std::move(made);
       }
 
       bool
       is_provided() const override
       {
-        return factors != nullptr;
+        return system != nullptr;
       }
 
       void
@@ -61,7 +67,7 @@ namespace ThermoContact
       {
         provide();
         if (forces != nullptr)
-          factors->solve(y, *forces);
+          system->solve(y, *forces);
         else
           y = 0.;
         if (laws.empty() || !body.law().is_active())
@@ -78,15 +84,15 @@ namespace ThermoContact
       }
 
     private:
-      const Body<dim>              &body;
-      const Matrix                  kind;
-      SolverCounters               &counters;
-      std::unique_ptr<DirectSolver> factors;
-      std::vector<Vector>           unit_responses; ///< to pressures
-      FullMatrix<double>            receptance;     ///< of the contact nodes
+      const Body<dim>                   &body;
+      const Matrix                       kind;
+      SolverCounters                    &counters;
+      std::unique_ptr<LinearSystem<dim>> system;
+      std::vector<Vector>                unit_responses; ///< to pressures
+      FullMatrix<double>                 receptance; ///< of the contact nodes
 
       void
-      make_responses(DirectSolver &made)
+      make_responses(LinearSystem<dim> &made)
       {
         const ContactEnd<dim> &end = body.contact_end();
         Vector unit_load = body.discretization.make_vector(Field::displacement);
@@ -168,7 +174,7 @@ namespace ThermoContact
 
 
 
-    /** $bM_u$ without matrices, by conjugate gradients. */
+    /** $bM_u$ of a body without matrices, whose laws hold the nodes. */
     template <int dim>
     class IterativeInertia : public Equilibrium<dim>
     {
@@ -180,84 +186,63 @@ namespace ThermoContact
       void
       provide() override
       {
-        if (is_provided())
-          return;
-        inverse_diagonal =
-          body.equations.cell_products()->diagonal(Field::displacement,
-                                                   body.scene.material.inertia,
-                                                   0.);
-        for (double &entry : inverse_diagonal)
-          entry = 1. / entry;
+        if (!system)
+          system = std::make_unique<LinearSystem<dim>>(
+            body.equations,
+            motion_by_inertia,
+            nullptr,
+            LinearSystem<dim>::Rows::off_contact);
       }
 
       bool
       is_provided() const override
       {
-        return inverse_diagonal.size() > 0;
+        return system != nullptr;
       }
 
       void
-      solve(const Vector *forces,
-            const std::vector<NodeLaw> & /*laws*/,
-            const std::vector<double> &position,
-            const double               factor,
-            Vector                    &y,
-            std::vector<double>       &pressure) override
+      solve(const Vector               *forces,
+            const std::vector<NodeLaw> &laws,
+            const std::vector<double>  &position,
+            const double                factor,
+            Vector                     &y,
+            std::vector<double>        &pressure) override
       {
+        Assert(std::all_of(laws.begin(),
+                           laws.end(),
+                           [](const NodeLaw &law) { return law.is_held; }),
+               dealii::ExcInternalError());
+        (void)laws;
         provide();
-        Vector held(inverse_diagonal), rest(inverse_diagonal), free(rest);
-        held = 0.;
-        for (const auto &[node, entry] :
-             body.contact_end().entries(Field::displacement))
+        const ContactEnd<dim> &end = body.contact_end();
+        Vector held(body.discretization.make_vector(Field::displacement));
+        Vector rest(held), product(held);
+        for (const auto &[node, entry] : end.entries(Field::displacement))
           held.local_element(entry) = -position[node] / factor;
-        multiply(rest, held);
-        rest *= -1.;
+        const auto subtract_product = [&](const Vector &x) {
+          body.equations.product(motion_by_inertia,
+                                 Field::displacement,
+                                 x,
+                                 product);
+          rest -= product;
+        };
         if (forces != nullptr)
-          rest += *forces;
-        y = held;
+          rest = *forces;
+        subtract_product(held);
         Vector rhs(rest);
-        zero_given(rhs);
-        conjugate_gradients("velocities or accelerations of the body",
-                            *this,
-                            free,
-                            rhs,
-                            inverse_diagonal,
-                            Tolerances::rounding_of_solution);
-        y += free;
-        multiply(rhs, free);
-        rest -= rhs;
-        body.contact_end().get_values(Field::displacement, rest, pressure);
+        for (const auto &[node, entry] : end.entries(Field::displacement))
+          rhs.local_element(entry) = 0.;
+        system->solve(y, rhs);
+        subtract_product(y);
+        y += held;
+        end.get_values(Field::displacement, rest, pressure);
         for (unsigned int i = 0; i < pressure.size(); ++i)
-          pressure[i] /= body.contact_end().nodes()[i].weight;
-      }
-
-      /** The product of the conjugate gradients. */
-      void
-      vmult(Vector &result, const Vector &x) const
-      {
-        multiply(result, x);
-        zero_given(result);
+          pressure[i] /= end.nodes()[i].weight;
       }
 
     private:
-      const Body<dim> &body;
-      Vector           inverse_diagonal;
-
-      void
-      multiply(Vector &result, const Vector &x) const
-      {
-        body.equations.cell_products()->vmult(
-          Field::displacement, body.scene.material.inertia, 0., result, x);
-        body.equations.zero_constrained(Field::displacement, result);
-      }
-
-      void
-      zero_given(Vector &vector) const
-      {
-        for (const auto &[node, entry] :
-             body.contact_end().entries(Field::displacement))
-          vector.local_element(entry) = 0.;
-      }
+      const Body<dim>                   &body;
+      std::unique_ptr<LinearSystem<dim>> system;
     };
   } // namespace
 

@@ -40,11 +40,14 @@ namespace ThermoContact
   void
   FixedPointSolver<dim>::factorize(const double tau)
   {
-    const StopWatch watch(counters_.factorization_seconds);
-    heat_solver =
-      std::make_unique<DirectSolver>(body.equations.heat_stage_matrix(tau));
-    momentum_solver =
-      std::make_unique<DirectSolver>(body.equations.momentum_stage_matrix(tau));
+    const StopWatch          watch(counters_.factorization_seconds);
+    const SystemCoefficients stage = stage_coefficients(tau);
+    heat_system =
+      std::make_unique<LinearSystem<dim>>(body.equations,
+                                          stage.of(Field::temperature));
+    momentum_system =
+      std::make_unique<LinearSystem<dim>>(body.equations,
+                                          stage.of(Field::displacement));
     counters_.factorizations += 2;
     factorized_tau = tau;
   }
@@ -57,7 +60,7 @@ namespace ThermoContact
   {
     RetainedFactorizations retained;
     retained.counters = counters_;
-    if (heat_solver)
+    if (heat_system)
       retained.taus = {factorized_tau};
     return retained;
   }
@@ -127,8 +130,8 @@ namespace ThermoContact
         last_velocity = rates.velocity;
 
         rhs = heat_rhs;
-        body.equations.subtract_heating(last_velocity, rhs);
-        heat_solver->solve(rates.temperature_rate, rhs);
+        body.equations.add_heating(last_velocity, -1., rhs);
+        heat_system->solve(rates.temperature_rate, rhs);
 
         momentum_stage_rhs = momentum_rhs;
         body.equations.add_thermal_stress(rates.temperature_rate,
@@ -138,7 +141,7 @@ namespace ThermoContact
                                          rates.pressure,
                                          tau,
                                          momentum_stage_rhs);
-        momentum_solver->solve(rates.velocity, momentum_stage_rhs);
+        momentum_system->solve(rates.velocity, momentum_stage_rhs);
         ++counters_.solves;
         update_pressure(tau, rates);
 
@@ -181,7 +184,7 @@ namespace ThermoContact
                                          pressure,
                                          -tau,
                                          momentum_stage_rhs);
-        momentum_solver->solve(velocity, momentum_stage_rhs);
+        momentum_system->solve(velocity, momentum_stage_rhs);
         body.contact_end().get_values(Field::displacement, velocity, response);
 
         double norm = 0., response_norm = 0.;

@@ -26,7 +26,8 @@ namespace ThermoContact
     for (double &entry : diagonal)
       entry *= factor;
     if (this->takes_heat)
-      heat_mass = std::make_unique<const HeatSystem<dim>>(body.equations);
+      heat_mass =
+        std::make_unique<LinearSystem<dim>>(body.equations, heat_at_once);
   }
 
 
@@ -69,7 +70,7 @@ namespace ThermoContact
     Vector temperature(heat);
     values = 0.;
     body.contact_end().set_all_values(Field::displacement, change, values);
-    body.equations.subtract_heating(values, heat);
+    body.equations.add_heating(values, -1., heat);
     heat_mass->solve(temperature, heat);
     return temperature;
   }

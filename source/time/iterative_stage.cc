@@ -29,7 +29,6 @@ namespace ThermoContact
     : body(body)
     , warnings(warnings)
     , hierarchies(body)
-    , products(*body.equations.cell_products())
     , krylov(max_directions)
   {
     rhs.reinit(2);
@@ -63,41 +62,18 @@ namespace ThermoContact
   void
   IterativeStage<dim>::apply(BlockVector &y, const BlockVector &x) const
   {
-    const ThermoviscoelasticOperator<dim> &equations = body.equations;
-    const Material                        &material  = body.scene.material;
-    Vector       &y_theta = y.block(Field::temperature);
-    Vector       &y_u     = y.block(Field::displacement);
-    const Vector &x_theta = x.block(Field::temperature);
-    const Vector &x_u     = x.block(Field::displacement);
-    if (has_heat)
-      {
-        products.vmult(Field::temperature, 1., tau, y_theta, x_theta);
-        // - (-a D v) times tau
-        if (material.has_heating())
-          {
-            y_theta *= -1. / tau;
-            equations.subtract_heating(x_u, y_theta);
-            y_theta *= -tau;
-          }
-        if (!conductance.empty())
-          for (const auto &[node, entry] :
-               body.contact_end().entries(Field::temperature))
-            y_theta.local_element(entry) +=
-              conductance[node] * x_theta.local_element(entry);
-        equations.zero_constrained(Field::temperature, y_theta);
-      }
-    else
-      y_theta = 0.;
-    if (!body.scene.fields.has_displacement)
-      return;
-    products.vmult(Field::displacement,
-                   material.inertia,
-                   tau * (tau + material.viscosity),
-                   y_u,
-                   x_u);
-    if (has_heat)
-      equations.add_thermal_stress(x_theta, -tau, y_u);
-    equations.zero_constrained(Field::displacement, y_u);
+    if (!has_heat)
+      y.block(Field::temperature) = 0.;
+    body.equations.product(coefficients,
+                           x.block(Field::temperature),
+                           x.block(Field::displacement),
+                           y.block(Field::temperature),
+                           y.block(Field::displacement));
+    if (has_heat && !conductance.empty())
+      for (const auto &[node, entry] :
+           body.contact_end().entries(Field::temperature))
+        y.block(Field::temperature).local_element(entry) +=
+          conductance[node] * x.block(Field::temperature).local_element(entry);
   }
 
 
@@ -125,8 +101,14 @@ namespace ThermoContact
                                const bool                 with_heat)
   {
     hierarchies.provide(stage_length);
-    tau      = stage_length;
-    has_heat = with_heat && body.scene.fields.has_temperature;
+    tau          = stage_length;
+    has_heat     = with_heat && body.scene.fields.has_temperature;
+    coefficients = stage_coefficients(tau);
+    // of the unknowns (tau theta', v), the first row times tau
+    coefficients.heating *= tau;
+    coefficients.thermal_stress /= tau;
+    if (!has_heat)
+      coefficients = coefficients.of(Field::displacement);
     conductance.clear();
     Vector &heat     = rhs.block(Field::temperature);
     Vector &momentum = rhs.block(Field::displacement);

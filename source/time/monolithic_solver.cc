@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/base/stop_watch.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/monolithic_solver.h>
@@ -50,11 +52,10 @@ namespace ThermoContact
   void
   MonolithicSolver<dim>::provide_factorization(const double tau)
   {
-    const auto known = std::find_if(factorizations.begin(),
-                                    factorizations.end(),
-                                    [tau](const Factorization &f) {
-                                      return f.matrix.tau() == tau;
-                                    });
+    const auto known =
+      std::find_if(factorizations.begin(),
+                   factorizations.end(),
+                   [tau](const Factorization &f) { return f.tau == tau; });
     if (known != factorizations.end())
       {
         factorizations.splice(factorizations.begin(), factorizations, known);
@@ -64,14 +65,22 @@ namespace ThermoContact
     while (factorizations.size() >= max_factorizations)
       factorizations.pop_back();
     factorizations.push_front(
-      {StageFactorization<dim>(body.discretization, body.equations, tau),
+      {tau,
+       LinearSystem<dim>(body.equations, stage_coefficients(tau)),
        {},
        EndResponse()});
-    counters_.factorizations +=
-      factorizations.front().matrix.n_factorizations();
-    const std::string warning = factorizations.front().matrix.warning();
-    if (!warning.empty() && !std::exchange(has_refused_blocks, true))
-      warnings.push_back(warning);
+    const LinearSystem<dim> &system = factorizations.front().system;
+    counters_.factorizations += system.n_factorizations();
+    if (system.refused_growth() > 0. &&
+        !std::exchange(has_refused_blocks, true))
+      warnings.push_back(
+        text("Solver/Linear solver = automatic: the blocks of the stage "
+             "matrix grow by ",
+             significant(system.refused_growth(), 2),
+             " in a stage of length ",
+             significant(tau, 3),
+             ", more digits than a result may lose: sparse factors (direct) "
+             "where they do"));
   }
 
 
@@ -92,7 +101,7 @@ namespace ThermoContact
   MonolithicSolver<dim>::compute_unit_responses(const Field::Block load,
                                                 Factorization &factorization)
   {
-    const double tau = factorization.matrix.tau();
+    const double tau = factorization.tau;
     for (unsigned int node = 0; node < body.contact_end().n_nodes(); ++node)
       {
         heat_rhs     = 0.;
@@ -104,7 +113,7 @@ namespace ThermoContact
         UnitResponse &unit_response =
           factorization.unit_responses[load].emplace_back(
             UnitResponse{heat_rhs, momentum_rhs});
-        factorization.matrix.solve(heat_rhs,
+        factorization.system.solve(heat_rhs,
                                    momentum_rhs,
                                    unit_response.temperature_rate,
                                    unit_response.velocity);
@@ -127,7 +136,7 @@ namespace ThermoContact
                                               response.temperature_rate;
       },
       field);
-    matrix *= factorization.matrix.tau();
+    matrix *= factorization.tau;
     return matrix;
   }
 
@@ -144,7 +153,7 @@ namespace ThermoContact
     end.penetration_by_pressure =
       loss_at_end(Field::displacement, pressure, factorization);
     end.velocity_by_pressure = end.penetration_by_pressure;
-    end.velocity_by_pressure /= factorization.matrix.tau();
+    end.velocity_by_pressure /= factorization.tau;
     if (exchange.is_constant())
       return;
     compute_unit_responses(flux, factorization);
@@ -167,7 +176,7 @@ namespace ThermoContact
     retained.has_refused_blocks = has_refused_blocks;
     for (const Factorization &factorization : factorizations)
       {
-        retained.taus.push_back(factorization.matrix.tau());
+        retained.taus.push_back(factorization.tau);
         retained.has_response.push_back(factorization.has_response());
       }
     return retained;
@@ -269,7 +278,7 @@ namespace ThermoContact
     const StopWatch watch(counters_.contact_seconds);
     response();
     EndResponse           &response = factorizations.front().end;
-    const double           tau      = factorizations.front().matrix.tau();
+    const double           tau      = factorizations.front().tau;
     const ContactEnd<dim> &end      = body.contact_end();
     response.free                   = free;
     response.x_per_displacement     = body.law().damping() > 0. ? 1. / tau : 1.;
@@ -307,7 +316,7 @@ namespace ThermoContact
     provide_factorization(tau);
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    factorizations.front().matrix.solve(heat_rhs,
+    factorizations.front().system.solve(heat_rhs,
                                         momentum_rhs,
                                         rates.temperature_rate,
                                         rates.velocity);
@@ -361,7 +370,7 @@ namespace ThermoContact
   {
     const double factor = get_stage_laws(body,
                                          known,
-                                         factorizations.front().matrix.tau(),
+                                         factorizations.front().tau,
                                          mode,
                                          rates.held_at,
                                          laws,
@@ -400,7 +409,7 @@ namespace ThermoContact
     // Viscous stress alone has carried the displacement of the nodes into the
     // velocity of the others: elastic stress does so with higher order.
     const Factorization &factorization = factorizations.front();
-    const double         tau           = factorization.matrix.tau();
+    const double         tau           = factorization.tau;
     const double         viscosity     = body.scene.material.viscosity;
     for (unsigned int j = 0; j < change.size(); ++j)
       if (const double p = change[j]; p != 0.)
@@ -425,7 +434,7 @@ namespace ThermoContact
   {
     if (body.law().damping() > 0.)
       return false; // not a body in equilibrium with its obstacle
-    const double tau        = factorizations.front().matrix.tau();
+    const double tau        = factorizations.front().tau;
     double       free_moved = 0.;
     for (unsigned int i = 0; i < free.size(); ++i)
       free_moved = std::max(free_moved, std::abs(free[i] - start[i]));
@@ -451,14 +460,21 @@ namespace ThermoContact
                                           const Vector &heat_load,
                                           const Vector &momentum_load,
                                           const std::vector<double> &flux,
-                                          const StageRates          &rates)
+                                          const StageRates          &rates,
+                                          StageRates                &products)
   {
     const ThermoviscoelasticOperator<dim> &equations = body.equations;
-    const double tau = factorizations.front().matrix.tau();
+    const double                           tau = factorizations.front().tau;
     equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    equations.subtract_stage_product(
-      tau, rates.temperature_rate, rates.velocity, heat_rhs, momentum_rhs);
+    equations.product(stage_coefficients(tau),
+                      rates.temperature_rate,
+                      rates.velocity,
+                      products.temperature_rate,
+                      products.velocity);
+    if (body.scene.fields.has_temperature)
+      heat_rhs -= products.temperature_rate;
+    momentum_rhs -= products.velocity;
     if (!flux.empty())
       body.contact_end().subtract_load(Field::temperature, flux, 1., heat_rhs);
     body.contact_end().subtract_load(Field::displacement,
@@ -481,7 +497,7 @@ namespace ThermoContact
                                 StageRates                &rates)
   {
     const StopWatch           watch(counters_.contact_seconds);
-    const double              tau        = factorizations.front().matrix.tau();
+    const double              tau        = factorizations.front().tau;
     const unsigned int        n          = rates.pressure.size();
     const FullMatrix<double> &receptance = response();
     StageRates                change(rates);
@@ -494,8 +510,8 @@ namespace ThermoContact
 
     for (unsigned int k = 0; k < max_refinements; ++k)
       {
-        compute_residual(known, heat_load, momentum_load, flux, rates);
-        factorizations.front().matrix.solve(heat_rhs,
+        compute_residual(known, heat_load, momentum_load, flux, rates, change);
+        factorizations.front().system.solve(heat_rhs,
                                             momentum_rhs,
                                             change.temperature_rate,
                                             change.velocity);

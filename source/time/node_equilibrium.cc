@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/heat_system.h>
+#include <thermocontact/space/linear_system.h>
 #include <thermocontact/time/iterative_node_equilibrium.h>
 #include <thermocontact/time/node_equilibrium.h>
 
@@ -62,14 +62,14 @@ namespace ThermoContact
                                              SolverCounters     &counters,
                                              FullMatrix<double> &stiffness)
   {
-    const HeatSystem<dim> heat_mass(body.equations);
-    ++counters.factorizations;
+    LinearSystem<dim> heat_mass(body.equations, heat_at_once);
+    counters.factorizations += heat_mass.n_factorizations();
     Vector heat  = body.discretization.make_vector(Field::temperature);
     Vector force = body.discretization.make_vector(Field::displacement);
     stiffness.add(-1.,
                   matrix_by_columns(body, [&](const Vector &unit) -> Vector & {
                     heat = 0.;
-                    body.equations.subtract_heating(unit, heat);
+                    body.equations.add_heating(unit, -1., heat);
                     Vector &response = temperature_responses.emplace_back(heat);
                     heat_mass.solve(response, heat);
                     ++counters.responses;

@@ -20,7 +20,7 @@
 // frequency of the round rod by more than 1e-3.
 
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/linear_system.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -44,7 +44,8 @@ namespace
   public:
     Frequencies(const Scene &scene, const unsigned int n_modes)
       : body(scene, MPI_COMM_SELF)
-      , solver(body.equations.momentum_stage_matrix(stage_length))
+      , solver(body.equations,
+               stage_coefficients(stage_length).of(Field::displacement))
     {
       find_responses();
       std::vector<Vector> modes;
@@ -66,7 +67,7 @@ namespace
     static constexpr double stage_length = 10.;
 
     Body<2>             body;
-    DirectSolver        solver; ///< of M_u + 100 S
+    LinearSystem<2>     solver; ///< of M_u + 100 S
     std::vector<Vector> responses;
     FullMatrix<double>  inverse_response;
 

@@ -17,6 +17,7 @@
 
 #include <thermocontact/simulation/simulation.h>
 #include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/system_matrix.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -187,7 +188,7 @@ namespace
       , equations(simulation.body().equations)
       , tau(simulation.parameters().time.step_size.value())
       , law(simulation.body().law())
-      , solver(equations.stage_matrix(tau))
+      , solver(whole_matrix(equations, stage_coefficients(tau), tau))
       , heat(discretization.make_vector(Field::temperature))
       , momentum(discretization.make_vector(Field::displacement))
       , heat_load(heat)

@@ -6,7 +6,7 @@
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/method/load_history.h>
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/heat_system.h>
+#include <thermocontact/space/linear_system.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/equilibrium.h>
 #include <thermocontact/time/node_equilibrium.h>
@@ -169,7 +169,7 @@ namespace ThermoContact
     Nodes adiabatic_nodes; ///< the same for a body that is deformed at once
     Nodes viscous_nodes;   ///< $\zeta S_{NN}$
 
-    std::unique_ptr<const HeatSystem<dim>> heat_mass; ///< if it is needed
+    std::unique_ptr<LinearSystem<dim>> heat_mass; ///< if it is needed
 
     // of the contact nodes, scratch
     mutable std::vector<NodeLaw> node_laws;
@@ -184,7 +184,7 @@ namespace ThermoContact
     moves_at_once() const;
 
     /** $M$, made when it is needed. */
-    const HeatSystem<dim> &
+    LinearSystem<dim> &
     provide_heat_mass();
 
     /** $S_{NN}$ with the heat of the motion, likewise. */

@@ -4,6 +4,7 @@
 #define thermocontact_space_linear_map_h
 
 #include <thermocontact/base/types.h>
+#include <thermocontact/rod/rod_matrices.h>
 
 #include <functional>
 
@@ -29,6 +30,9 @@ namespace ThermoContact
     /** What computes $(x-y)\cdot A(x-y)$ with more digits, y may be null; else
      * empty. */
     std::function<double(const Vector &x, const Vector *y)> own_form = nullptr;
+
+    /** Its name among those of RodMatrices, if it is the map of a rod. */
+    FieldMatrix::Kind of_rod = FieldMatrix::n_matrices;
 
     /**
      * $(x-y)\cdot A(x-y)$ of a symmetric map.

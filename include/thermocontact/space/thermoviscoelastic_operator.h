@@ -9,6 +9,9 @@
 #include <thermocontact/space/field_maps.h>
 #include <thermocontact/space/field_matrices.h>
 #include <thermocontact/space/state.h>
+#include <thermocontact/space/system_coefficients.h>
+
+#include <array>
 
 namespace ThermoContact
 {
@@ -23,8 +26,8 @@ namespace ThermoContact
    * $a$ of the first equation is zero if thermoelastic heating is off.
    *
    * The field matrices are those of FieldMaps, without constraints; the
-   * constrained rows of stage matrices and right-hand sides say that rates
-   * vanish. Vectors come from Discretization::make_vector().
+   * constrained rows of systems and right-hand sides say that rates vanish.
+   * Vectors come from Discretization::make_vector().
    */
   template <int dim>
   class ThermoviscoelasticOperator : public FieldMaps
@@ -41,6 +44,19 @@ namespace ThermoContact
 
     ~ThermoviscoelasticOperator();
 
+    const Discretization<dim> &
+    space() const
+    {
+      return discretization;
+    }
+
+    /** Null for scenes that have none. */
+    const FieldMatrices<dim> *
+    matrices() const
+    {
+      return matrices_;
+    }
+
     /** Products without matrices; null for scenes that have matrices. */
     const CellProducts<dim, double> *
     cell_products() const
@@ -52,10 +68,10 @@ namespace ThermoContact
     const RodMatrices *
     rod() const
     {
-      return matrices != nullptr ? matrices->rod() : nullptr;
+      return matrices_ != nullptr ? matrices_->rod() : nullptr;
     }
 
-    /** Whether stage matrices are to be eliminated by the blocks of rod(). */
+    /** Whether systems are to be eliminated by the blocks of rod(). */
     bool
     is_eliminated_along_rod() const
     {
@@ -76,23 +92,25 @@ namespace ThermoContact
     }
 
     /**
-     * Matrix of the heat block of a stage, @p mass $M+\tau(K+kB+L)$,
-     * doc/discretisation.md (D2.2), with constrained rows.
+     * The product with the matrix of a system. Rows of a field that is not part
+     * of it do not change, and constrained rows become zero.
+     *
+     * @param temperature,displacement its unknowns, e.g. $\theta'$, $v$
+     * @param heat,momentum out
      */
-    SparseMatrix
-    heat_stage_matrix(const double tau, const double mass = 1.) const;
+    void
+    product(const SystemCoefficients &coefficients,
+            const Vector             &temperature,
+            const Vector             &displacement,
+            Vector                   &heat,
+            Vector                   &momentum) const;
 
-    /** Matrix of the momentum block, $bM_u+\tau\zeta S_\zeta+\tau^2S$. */
-    SparseMatrix
-    momentum_stage_matrix(const double tau) const;
-
-    /**
-     * The whole stage matrix in the numbering of the whole system, of a scene
-     * with thermal stress: (D2.2) for the unknowns $(\tau\theta',v)$ with its
-     * first row times $\tau$.
-     */
-    SparseMatrix
-    stage_matrix(const double tau) const;
+    /** The same of a system without the other field, @p y $=A$ @p x. */
+    void
+    product(const SystemCoefficients &coefficients,
+            const Field::Block        field,
+            const Vector             &x,
+            Vector                   &y) const;
 
     /**
      * Right-hand side of a stage (D2.2) without contact, with constrained rows
@@ -124,20 +142,11 @@ namespace ThermoContact
                       const Vector &momentum_load,
                       Vector       &residual) const;
 
-    /**
-     * Takes the product of the matrix of a stage of length @p tau, (D2.1), with
-     * rates from its right-hand side; constrained rows become zero.
-     */
+    /** @p heat $+=$ @p factor $aDv$, with zero constrained rows. */
     void
-    subtract_stage_product(const double  tau,
-                           const Vector &temperature_rate,
-                           const Vector &velocity,
-                           Vector       &heat,
-                           Vector       &momentum) const;
-
-    /** @p heat $-= aDv$, with zero constrained rows. */
-    void
-    subtract_heating(const Vector &velocity, Vector &heat) const;
+    add_heating(const Vector &velocity,
+                const double  factor,
+                Vector       &heat) const;
 
     /** @p momentum $+=$ @p factor $aD^T\theta$, with zero constrained rows. */
     void
@@ -152,27 +161,33 @@ namespace ThermoContact
   private:
     const Discretization<dim> &discretization;
     const Material            &material;
-    const bool                 has_own_viscous_stiffness;
     const bool                 is_along_rod;
     /** One of the two is there. */
-    const FieldMatrices<dim> *const                        matrices;
+    const FieldMatrices<dim> *const                        matrices_;
     const std::unique_ptr<const CellProducts<dim, double>> cell_products_;
     mutable Vector                                         heat_scratch;
     mutable Vector                                         momentum_scratch;
 
-    /** stage_rhs() by one pass over the rod for each field. */
-    void
-    rod_stage_rhs(const State  &known,
-                  const double  tau,
-                  const Vector &heat_load,
-                  const Vector &momentum_load,
-                  Vector       &heat,
-                  Vector       &momentum) const;
+    /** A product that is added to a sum unless its factor is zero. */
+    struct Term
+    {
+      double           factor = 0.;
+      const LinearMap *map    = nullptr;
+      const Vector    *x      = nullptr;
+    };
 
-    /** Weighted sum of matrices of a field, with constrained rows. */
-    SparseMatrix
-    sum(const Field::Block                                       field,
-        const std::vector<std::pair<double, FieldMatrix::Kind>> &terms) const;
+    /**
+     * @p y = the sum of the terms, and @p factor times @p base where that is
+     * not null; in one pass over a rod. @p y is none of the other vectors.
+     *
+     * @param field of the rows
+     */
+    void
+    set_sum(const std::array<Term, 3> &terms,
+            const double               factor,
+            const Vector              *base,
+            const Field::Block         field,
+            Vector                    &y) const;
   };
 } // namespace ThermoContact
 

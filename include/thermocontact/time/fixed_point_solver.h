@@ -4,7 +4,7 @@
 #define thermocontact_time_fixed_point_solver_h
 
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/linear_system.h>
 #include <thermocontact/time/stage_solver.h>
 
 #include <memory>
@@ -42,6 +42,13 @@ namespace ThermoContact
     types::global_dof_index
     n_factorized_unknowns() const override;
 
+    std::string
+    linear_solver() const override
+    {
+      return body.equations.is_eliminated_along_rod() ? "block tridiagonal" :
+                                                        "direct";
+    }
+
     RetainedFactorizations
     retained() const override;
 
@@ -53,9 +60,9 @@ namespace ThermoContact
     const double       tolerance;
     const unsigned int max_iterations;
 
-    double                        factorized_tau;
-    std::unique_ptr<DirectSolver> heat_solver;
-    std::unique_ptr<DirectSolver> momentum_solver;
+    double                             factorized_tau;
+    std::unique_ptr<LinearSystem<dim>> heat_system;
+    std::unique_ptr<LinearSystem<dim>> momentum_system;
 
     Vector               heat_rhs;
     Vector               momentum_rhs;

@@ -4,7 +4,7 @@
 #define thermocontact_time_iterative_node_equilibrium_h
 
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/space/heat_system.h>
+#include <thermocontact/space/linear_system.h>
 #include <thermocontact/time/node_equilibrium.h>
 
 #include <deal.II/lac/vector.h>
@@ -48,14 +48,14 @@ namespace ThermoContact
     vmult(dealii::Vector<double> &y, const dealii::Vector<double> &x) const;
 
   private:
-    const Body<dim>                       &body;
-    const double                           factor;
-    const bool                             takes_heat;
-    std::vector<AffineLaw>                 tangents;  ///< of all nodes
-    std::vector<double>                    diagonal;  ///< of K
-    std::unique_ptr<const HeatSystem<dim>> heat_mass; ///< if it takes heat
-    mutable Vector                         values;
-    mutable Vector                         forces;
+    const Body<dim>                   &body;
+    const double                       factor;
+    const bool                         takes_heat;
+    std::vector<AffineLaw>             tangents;  ///< of all nodes
+    std::vector<double>                diagonal;  ///< of K
+    std::unique_ptr<LinearSystem<dim>> heat_mass; ///< if it takes heat
+    mutable Vector                     values;
+    mutable Vector                     forces;
 
     // of the problem that is solved
     const std::vector<double> *load     = nullptr;

@@ -170,8 +170,7 @@ namespace ThermoContact
     std::vector<std::string> &warnings;
     StageHierarchies<dim>     hierarchies;
 
-    const CellProducts<dim, double> &products; ///< of the equations
-
+    SystemCoefficients     coefficients;
     double                 tau      = 0.;
     bool                   has_heat = true;      ///< its temperature is unknown
     double                 factor   = 0.;        ///< f of set_interface()

@@ -6,7 +6,7 @@
 #include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/space/body.h>
-#include <thermocontact/time/stage_factorization.h>
+#include <thermocontact/space/linear_system.h>
 #include <thermocontact/time/stage_solver.h>
 
 #include <array>
@@ -101,7 +101,8 @@ namespace ThermoContact
     /** The stage matrix for one stage length and what goes with it. */
     struct Factorization
     {
-      StageFactorization<dim> matrix;
+      double            tau;
+      LinearSystem<dim> system;
 
       /** To pressures: Field::displacement; to fluxes: Field::temperature. */
       std::array<std::vector<UnitResponse>, 2> unit_responses;
@@ -189,13 +190,17 @@ namespace ThermoContact
            const std::vector<double> &flux,
            StageRates                &rates);
 
-    /** The right-hand sides become what the rates leave of (D2.2). */
+    /**
+     * The right-hand sides become what the rates leave of (D2.2); @p products
+     * are scratch.
+     */
     void
     compute_residual(const State               &known,
                      const Vector              &heat_load,
                      const Vector              &momentum_load,
                      const std::vector<double> &flux,
-                     const StageRates          &rates);
+                     const StageRates          &rates,
+                     StageRates                &products);
 
     /** Pressures and heat fluxes from the end of the stage without them. */
     void

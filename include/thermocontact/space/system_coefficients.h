@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_system_coefficients_h
+#define thermocontact_space_system_coefficients_h
+
+#include <thermocontact/base/types.h>
+#include <thermocontact/rod/rod_matrices.h>
+#include <thermocontact/scene/scene.h>
+
+#include <array>
+#include <utility>
+
+namespace ThermoContact
+{
+  /**
+   * Which of the linear systems of a body it is,
+   * @f[
+   *   \begin{pmatrix} h_mM+h_k(K+kB) & c_h\,aD \\
+   *     -c_s\,aD^T & e_m\,bM_u+e_v\,\zeta S_\zeta+e_s\,S \end{pmatrix} ,
+   * @f]
+   * doc/discretisation.md (D2.2). A field whose coefficients are zero is not
+   * part of the system.
+   * Those of the program stand below.
+   */
+  struct SystemCoefficients
+  {
+    double heat_mass  = 0.; ///< $h_m$
+    double conduction = 0.; ///< $h_k$
+
+    double heating        = 0.; ///< $c_h$
+    double thermal_stress = 0.; ///< $c_s$
+
+    double inertia   = 0.; ///< $e_m$
+    double viscosity = 0.; ///< $e_v$
+    double stiffness = 0.; ///< $e_s$
+
+    /** Whether rows of the field belong to the system, if the scene has it. */
+    bool
+    has(const Field::Block field) const
+    {
+      return field == Field::temperature ?
+               heat_mass != 0. || conduction != 0. :
+               inertia != 0. || viscosity != 0. || stiffness != 0.;
+    }
+
+    /** The system without the other field. */
+    SystemCoefficients
+    of(const Field::Block field) const
+    {
+      if (field == Field::temperature)
+        return {heat_mass, conduction};
+      return {0., 0., 0., 0., inertia, viscosity, stiffness};
+    }
+  };
+
+
+
+  /** $M$: what heat does at one instant, before it flows. */
+  inline constexpr SystemCoefficients heat_at_once{1.};
+
+  /** $K+kB$: heat of a body at rest. */
+  inline constexpr SystemCoefficients heat_at_rest{0., 1.};
+
+  /** $bM_u$: impulses and velocities, or forces and accelerations. */
+  inline constexpr SystemCoefficients
+    motion_by_inertia{0., 0., 0., 0., 1., 0., 0.};
+
+  /** $\zeta S_\zeta+S$: forces on a body without inertia. */
+  inline constexpr SystemCoefficients
+    motion_by_stiffness{0., 0., 0., 0., 0., 1., 1.};
+
+  /** A stage of length @p tau for $(\theta',v)$, (D2.2). */
+  inline SystemCoefficients
+  stage_coefficients(const double tau)
+  {
+    return {1., tau, 1., tau * tau, 1., tau, tau * tau};
+  }
+
+
+
+  /** A sum of field matrices: mass, viscous stiffness, stiffness. */
+  using BlockTerms = std::array<std::pair<double, FieldMatrix::Kind>, 3>;
+
+  /** The block of a field in its own rows; conduction is its stiffness. */
+  inline BlockTerms
+  block_terms(const SystemCoefficients &c,
+              const Material           &material,
+              const Field::Block        field)
+  {
+    if (field == Field::temperature)
+      return {{{c.heat_mass, FieldMatrix::heat_mass},
+               {0., FieldMatrix::conduction},
+               {c.conduction, FieldMatrix::conduction}}};
+    return {{{c.inertia * material.inertia, FieldMatrix::momentum_mass},
+             {c.viscosity * material.viscosity, FieldMatrix::viscous_stiffness},
+             {c.stiffness, FieldMatrix::stiffness}}};
+  }
+
+
+
+  struct MassAndStiffness
+  {
+    double mass;
+    double stiffness;
+  };
+
+  /** The same of a body without matrices, where $S_\zeta=S$. */
+  inline MassAndStiffness
+  mass_and_stiffness(const SystemCoefficients &c,
+                     const Material           &material,
+                     const Field::Block        field)
+  {
+    const BlockTerms terms = block_terms(c, material, field);
+    return {terms[0].first, terms[1].first + terms[2].first};
+  }
+} // namespace ThermoContact
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/space/system_matrix.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <vector>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /**
+     * Adds @p factor times @p block to @p target at the offsets of the block
+     * in the whole system. Rows in @p skipped are left out; columns of
+     * constrained degrees of freedom stay, since they meet vanishing rates.
+     */
+    void
+    add_block(const SparseMatrix           &block,
+              const double                  factor,
+              const types::global_dof_index row_offset,
+              const types::global_dof_index column_offset,
+              const IndexSet               &skipped,
+              SparseMatrix                 &target)
+    {
+      // deal.II's iterators set up arrays of the whole width at each row.
+      const Epetra_CrsMatrix              &source = block.trilinos_matrix();
+      std::vector<types::global_dof_index> columns;
+      std::vector<double>                  values;
+      for (int local_row = 0; local_row < source.NumMyRows(); ++local_row)
+        {
+          const types::global_dof_index row = source.RowMap().GID64(local_row);
+          if (skipped.is_element(row))
+            continue;
+          int     n_entries   = 0;
+          double *row_values  = nullptr;
+          int    *row_columns = nullptr;
+          source.ExtractMyRowView(local_row,
+                                  n_entries,
+                                  row_values,
+                                  row_columns);
+          columns.clear();
+          values.clear();
+          // On several ranks Trilinos adds zero entries of its own to the
+          // pattern of a block, which the whole matrix does not have.
+          for (int i = 0; i < n_entries; ++i)
+            if (row_values[i] != 0.)
+              {
+                columns.push_back(source.ColMap().GID64(row_columns[i]) +
+                                  column_offset);
+                values.push_back(factor * row_values[i]);
+              }
+          target.add(row + row_offset,
+                     columns.size(),
+                     columns.data(),
+                     values.data(),
+                     false);
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SparseMatrix
+  field_matrix(const ThermoviscoelasticOperator<dim> &equations,
+               const SystemCoefficients              &coefficients,
+               const Field::Block                     field)
+  {
+    const FieldMatrices<dim> &matrices = *equations.matrices();
+    SparseMatrix              matrix;
+    matrix.copy_from(
+      matrices[field == Field::temperature ? FieldMatrix::heat_mass :
+                                             FieldMatrix::momentum_mass]);
+    matrix *= 0.;
+    for (const auto &[factor, kind] :
+         block_terms(coefficients, equations.coefficients(), field))
+      if (factor != 0.)
+        matrix.add(
+          factor,
+          matrices[matrices[kind].m() > 0 ? kind : FieldMatrix::stiffness]);
+
+    const IndexSet &constrained = equations.space().constrained(field);
+    const std::vector<types::global_dof_index> rows(constrained.begin(),
+                                                    constrained.end());
+    matrix.clear_rows(rows, 1.);
+    return matrix;
+  }
+
+
+
+  template <int dim>
+  SparseMatrix
+  whole_matrix(const ThermoviscoelasticOperator<dim> &equations,
+               const SystemCoefficients              &coefficients,
+               const double                           scale)
+  {
+    const Discretization<dim> &space    = equations.space();
+    const FieldMatrices<dim>  &matrices = *equations.matrices();
+    const Material            &material = equations.coefficients();
+    Assert(material.has_thermal_stress(), ExcInternalError());
+    TrilinosWrappers::SparsityPattern pattern(space.owned(),
+                                              space.owned(),
+                                              space.relevant(),
+                                              space.communicator());
+    DoFTools::make_sparsity_pattern(space.dof_handler(),
+                                    pattern,
+                                    AffineConstraints<double>(),
+                                    true,
+                                    Utilities::MPI::this_mpi_process(
+                                      space.communicator()));
+    pattern.compress();
+    SparseMatrix matrix;
+    matrix.reinit(pattern);
+
+    const types::global_dof_index n = space.n_temperature_dofs();
+    for (const Field::Block field : all_fields)
+      add_block(field_matrix(equations, coefficients, field),
+                1.,
+                space.first_dof(field),
+                space.first_dof(field),
+                IndexSet(space.owned_by_block()[field].size()),
+                matrix);
+    add_block(matrices[FieldMatrix::divergence],
+              scale * coefficients.heating * material.heating,
+              0,
+              n,
+              space.constrained(Field::temperature),
+              matrix);
+    add_block(matrices[FieldMatrix::thermal_stress],
+              -coefficients.thermal_stress / scale * material.thermal_stress,
+              n,
+              0,
+              space.constrained(Field::displacement),
+              matrix);
+    matrix.compress(VectorOperation::add);
+    return matrix;
+  }
+
+
+
+#define INSTANTIATE(dim)                     \
+  template SparseMatrix field_matrix<dim>(   \
+    const ThermoviscoelasticOperator<dim> &, \
+    const SystemCoefficients &,              \
+    const Field::Block);                     \
+  template SparseMatrix whole_matrix<dim>(   \
+    const ThermoviscoelasticOperator<dim> &, \
+    const SystemCoefficients &,              \
+    const double)
+
+  INSTANTIATE(1);
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace ThermoContact
