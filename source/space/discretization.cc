@@ -54,9 +54,8 @@ namespace ThermoContact
     constraints_ = make_constraints(scene.has_sliding_end);
     collect_constrained();
     collect_nodal_values();
-    if constexpr (dim > 1)
-      if (!scene.has_matrices)
-        add_ghosts_of_cells();
+    if (dim > 1)
+      add_ghosts_of_cells();
     contact_end_ =
       std::make_unique<const ContactEnd<dim>>(*this,
                                               *contact_gap<dim>(scene),

@@ -10,13 +10,9 @@
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/fe/fe_tools.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <algorithm>
 #include <array>
@@ -206,73 +202,6 @@ namespace ThermoContact
           if (constraints.is_constrained(dof + discretization.first_dof(field)))
             kept_entries[field].push_back(owned.index_within_set(dof));
       }
-    if (products == nullptr)
-      assemble_laplace_matrix();
-  }
-
-
-
-  template <int dim>
-  SparseMatrix
-  H1Projection<dim>::make_matrix() const
-  {
-    const unsigned int n_components = discretization.n_components();
-    dealii::Table<2, DoFTools::Coupling> coupling(n_components, n_components);
-    coupling.fill(DoFTools::none);
-    for (unsigned int c = 0; c < n_components; ++c)
-      coupling(c, c) = DoFTools::always;
-    TrilinosWrappers::SparsityPattern pattern(discretization.owned(),
-                                              discretization.owned(),
-                                              discretization.relevant(),
-                                              discretization.communicator());
-    DoFTools::make_sparsity_pattern(discretization.dof_handler(),
-                                    coupling,
-                                    pattern,
-                                    constraints,
-                                    false,
-                                    Utilities::MPI::this_mpi_process(
-                                      discretization.communicator()));
-    pattern.compress();
-    SparseMatrix matrix;
-    matrix.reinit(pattern);
-    return matrix;
-  }
-
-
-
-  template <int dim>
-  void
-  H1Projection<dim>::assemble_laplace_matrix()
-  {
-    const FiniteElement<dim> &fe     = discretization.finite_element();
-    SparseMatrix              matrix = make_matrix();
-
-    FEValues<dim>      fe_values(discretization.mapping(),
-                            fe,
-                            QGauss<dim>(fe.degree + 1),
-                            update_gradients | update_JxW_values);
-    FullMatrix<double> cell_matrix(fe.dofs_per_cell, fe.dofs_per_cell);
-    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          fe_values.reinit(cell);
-          cell_matrix = 0.;
-          for (const unsigned int i : fe_values.dof_indices())
-            for (const unsigned int j : fe_values.dof_indices())
-              if (fe.system_to_component_index(i).first ==
-                  fe.system_to_component_index(j).first)
-                for (const unsigned int q :
-                     fe_values.quadrature_point_indices())
-                  cell_matrix(i, j) += fe_values.shape_grad(i, q) *
-                                       fe_values.shape_grad(j, q) *
-                                       fe_values.JxW(q);
-          cell->get_dof_indices(dofs);
-          constraints.distribute_local_to_global(cell_matrix, dofs, matrix);
-        }
-    matrix.compress(VectorOperation::add);
-    laplace_solver = std::make_unique<DirectSolver>(std::move(matrix));
   }
 
 
@@ -367,40 +296,64 @@ namespace ThermoContact
 
   template <int dim>
   void
+  H1Projection<dim>::add_in_cells(const Field::Block field,
+                                  const Vector      &rhs,
+                                  Vector            &values) const
+  {
+    const FiniteElement<dim> &fe    = discretization.finite_element();
+    const unsigned int        first = 2, n = fe.degree - 1; // inner nodes
+    const QGauss<dim>         rule(fe.degree);
+    FullMatrix<double>        inverse(n, n); // of a cell of unit length
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          inverse(i, j) +=
+            rule.weight(q) *
+            (fe.base_element(0).shape_grad(first + i, rule.point(q)) *
+             fe.base_element(0).shape_grad(first + j, rule.point(q)));
+    if (n > 0)
+      inverse.gauss_jordan();
+    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        const auto dof = [&](const unsigned int i) {
+          return dofs[fe.component_to_system_index(
+                   discretization.first_component(field), first + i)] -
+                 discretization.first_dof(field);
+        };
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            values(dof(i)) += cell->measure() * inverse(i, j) * rhs(dof(j));
+      }
+  }
+
+
+
+  template <int dim>
+  void
   H1Projection<dim>::project(const Function<dim> &function,
                              Vector              &temperature,
-                             Vector              &displacement)
+                             Vector              &displacement) const
   {
-    std::array<Vector, 2> rhs;
     for (const Field::Block field : all_fields)
       if (discretization.has_field(field))
         {
           Vector &values =
             field == Field::temperature ? temperature : displacement;
-          rhs[field] = interpolate(function, field, values);
-          if constexpr (dim > 1)
-            if (products != nullptr && rhs[field].linfty_norm() > 0.)
-              add_solution({[&](Vector &y, const Vector &x) {
-                             products->laplacian(field, y, x);
-                           }},
-                           products->laplacian_diagonal(field),
-                           kept_entries[field],
-                           rhs[field],
-                           values);
+          const Vector rhs = interpolate(function, field, values);
+          if constexpr (dim == 1)
+            add_in_cells(field, rhs, values);
+          else if (rhs.linfty_norm() > 0.)
+            add_solution({[&](Vector &y, const Vector &x) {
+                           products->laplacian(field, y, x);
+                         }},
+                         products->laplacian_diagonal(field),
+                         kept_entries[field],
+                         rhs,
+                         values);
         }
-    if (products != nullptr)
-      return;
-    SystemVector system     = discretization.make_system_vector();
-    SystemVector correction = system;
-    discretization.join(rhs[Field::temperature],
-                        rhs[Field::displacement],
-                        system);
-    laplace_solver->solve(correction, system);
-    Vector heat     = discretization.make_vector(Field::temperature);
-    Vector momentum = discretization.make_vector(Field::displacement);
-    discretization.split(correction, heat, momentum);
-    temperature += heat;
-    displacement += momentum;
   }
 
 

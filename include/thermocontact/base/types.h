@@ -25,8 +25,8 @@ namespace ThermoContact
   using namespace dealii;
 
   /**
-   * Values of one field (temperature or displacement); with the ghosts that
-   * products without matrices need, where a body has no matrices.
+   * Values of one field (temperature or displacement); of a body with the
+   * ghosts that products without matrices need.
    */
   using Vector = LinearAlgebra::distributed::Vector<double>;
 

@@ -3,13 +3,11 @@
 #ifndef thermocontact_space_h1_projection_h
 #define thermocontact_space_h1_projection_h
 
-#include <thermocontact/space/direct_solver.h>
 #include <thermocontact/space/discretization.h>
 
 #include <deal.II/base/function.h>
 
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -34,10 +32,8 @@ namespace ThermoContact
   {
   public:
     /**
-     * Assembles and factorises the Laplace matrix of all components.
-     *
-     * @param products null; else the correction is computed with them, by
-     *   conjugate gradients and without matrix; borrowed
+     * @param products of a body, with which conjugate gradients compute the
+     *   correction; of a rod, whose cells have theirs alone, null; borrowed
      */
     explicit H1Projection(const Discretization<dim>       &discretization,
                           const CellProducts<dim, double> *products = nullptr);
@@ -50,23 +46,15 @@ namespace ThermoContact
     void
     project(const Function<dim> &function,
             Vector              &temperature,
-            Vector              &displacement);
+            Vector              &displacement) const;
 
   private:
     const Discretization<dim>             &discretization;
     const AffineConstraints<double>        constraints;
     const CellProducts<dim, double> *const products;
-    std::unique_ptr<DirectSolver>          laplace_solver;
 
     /** Positions of the values of the fields that are kept, in local parts. */
     std::array<std::vector<unsigned int>, 2> kept_entries;
-
-    /** Without entries; components do not act on each other. */
-    SparseMatrix
-    make_matrix() const;
-
-    void
-    assemble_laplace_matrix();
 
     /**
      * @param interpolant out: $w_h$ with the values of $w$ at the nodes
@@ -76,6 +64,12 @@ namespace ThermoContact
     interpolate(const Function<dim> &function,
                 const Field::Block   field,
                 Vector              &interpolant) const;
+
+    /** Adds the correction of a rod: it is zero at vertices. */
+    void
+    add_in_cells(const Field::Block field,
+                 const Vector      &rhs,
+                 Vector            &values) const;
   };
 } // namespace ThermoContact
 
