@@ -381,14 +381,13 @@ namespace ThermoContact
     const OutputUnits units(scene.parameters);
     if (dim > 1)
       {
-        const types::global_dof_index n = simulation.n_factorized_unknowns();
         log.line(text("  set up    in ",
                       significant(seconds, 2),
-                      " s, ",
-                      !scene.linear_solver.is_iterative ?
-                        text("factorised at once: ", n) :
-                      n > 0 ? text("factorised on the coarsest level: ", n) :
-                              "algebraic multigrid on the coarsest level"));
+                      " s, factorised ",
+                      scene.linear_solver.is_iterative ?
+                        "on the coarsest level: " :
+                        "at once: ",
+                      simulation.n_factorized_unknowns()));
       }
     if (scene.contact.law->is_active() && !scene.contact.has_uniform_gap())
       {

@@ -20,6 +20,10 @@
 //    at the obstacle: the step ends next to the events miss them by a hundredth
 //    of the tolerance of max |u(1)| at most, (C3.1), although the impulse alone
 //    would allow more.
+// 5. k = if(gap > 0, 0, 3), bodies in equilibrium that are pressed on a rigid
+//    obstacle at the start, theta = 5: what goes with a pressure has no gap,
+//    whatever rounding its place has, so that the first flux is 3 * 5 at all
+//    nodes, of rods and strips with eight gaps each.
 
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/simulation/simulation.h>
@@ -202,6 +206,34 @@ namespace
                 << within(std::abs(rate - order), 0.15) << std::endl;
       }
   }
+
+
+
+  template <int dim>
+  double
+  error_of_first_flux()
+  {
+    double error = 0.;
+    for (unsigned int i = 1; i <= 8; ++i)
+      {
+        Simulation<dim> simulation(
+          read_parameters("",
+                          {"Dimension=" + std::to_string(dim),
+                           "Model/Inertia=0",
+                           "Model/Viscosity=0",
+                           "Model/Poisson ratio=" +
+                             std::string(dim == 1 ? "0" : "0.3"),
+                           "Contact/Condition=rigid",
+                           "Contact/Gap=-0.01*" + std::to_string(i) + "/3",
+                           "Boundary/Heat exchange=if(gap>0,0,3)",
+                           "Initial values/Temperature=5",
+                           "Mesh/Cells=4",
+                           "Time/End time=0.01"}),
+          MPI_COMM_SELF);
+        raise(error, std::abs(simulation.record().heat_flux_end / 15. - 1.));
+      }
+    return error;
+  }
 } // namespace
 
 
@@ -214,4 +246,7 @@ main_heat_exchange()
   check_imperfect_contact();
   check_misses_of_events();
   check_orders();
+  deallog << "first flux through a pressed end, rod "
+          << within(error_of_first_flux<1>(), 1e-10) << ", strip "
+          << within(error_of_first_flux<2>(), 1e-10) << std::endl;
 }

@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_exchange_of_law_h
 #define thermocontact_simulation_exchange_of_law_h
 
+#include <thermocontact/contact/exchange_stage.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/space/state.h>
 
@@ -28,9 +29,14 @@ namespace ThermoContact
     std::vector<double>  position;
     get_node_laws(body, state, laws, position);
     for (unsigned int i = 0; i < laws.size(); ++i)
-      state.exchange_coefficient[i] = body.scene.heat.exchange->coefficient(
-        laws[i].penetration(position[i]),
-        std::max(laws[i].side * state.contact_pressure[i], 0.));
+      {
+        const double push = laws[i].side * state.contact_pressure[i];
+        state.exchange_coefficient[i] =
+          coefficient_of_node(*body.scene.heat.exchange,
+                              laws[i],
+                              position[i],
+                              laws[i].side * std::max(push, 0.));
+      }
   }
 } // namespace ThermoContact
 

@@ -42,7 +42,7 @@ namespace ThermoContact
 
     /**
      * Penetrations of known values that the difference of displacement and gap
-     * would lose the digits of; else empty.
+     * would lose the digits of; else empty, as of the end of a step.
      */
     std::vector<double> known_penetration;
 
@@ -95,6 +95,7 @@ namespace ThermoContact
       gap.swap(other.gap);
       gap_rate.swap(other.gap_rate);
       exchange_coefficient.swap(other.exchange_coefficient);
+      known_penetration.swap(other.known_penetration);
     }
 
     /** What all ranks know; the vectors are saved by StateSerialiser. */
