@@ -308,23 +308,10 @@ namespace ThermoContact
   Vector
   Reset<dim>::rate_of_forces(const State &state)
   {
-    Vector rate(state.velocity);
-    body.equations.stiffness.vmult(rate, state.velocity);
-    rate *= -1.;
-    const double end_time = body.scene.parameters.time.end_time;
-    if (body.loads.has_sources() && end_time > 0.)
-      {
-        // a parabola through three instants on the side where the loads are
-        const double size      = Tolerances::load_difference * end_time;
-        const bool   is_behind = state.load_time > state.time ||
-                               state.was_moved_at_once() ||
-                               state.load_time < 2. * size;
-        const double width     = is_behind ? size : -size;
-        const double weights[] = {-1.5, 2., -0.5};
-        for (unsigned int i = 0; i < 3; ++i)
-          rate.add(weights[i] / width,
-                   momentum_load(state.load_time + i * width));
-      }
+    Vector rate(state.velocity), elastic(rate);
+    body.loads.assemble_momentum_rate(state.load_time, rate);
+    body.equations.stiffness.vmult(elastic, state.velocity);
+    rate -= elastic;
     // heat that has not flowed yet may have no rate but that of the mesh
     if (body.scene.fields.has_temperature &&
         body.scene.material.has_thermal_stress() && !state.was_moved_at_once())

@@ -109,6 +109,20 @@ namespace ThermoContact
 
   template <int dim>
   void
+  Loads<dim>::assemble_momentum_rate(const double time, Vector &momentum)
+  {
+    Vector unused(outer_heat_);
+    for (ExpressionFunction<dim> *const source : data.sources)
+      source->set_is_rate(true);
+    assemble(time, unused, momentum);
+    for (ExpressionFunction<dim> *const source : data.sources)
+      source->set_is_rate(false);
+  }
+
+
+
+  template <int dim>
+  void
   Loads<dim>::add_sources(const Field::Block field, Vector &load) const
   {
     if (!discretization.has_field(field))

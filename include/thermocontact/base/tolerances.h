@@ -24,12 +24,6 @@ namespace ThermoContact
     inline constexpr double rounding_of_sum = 1e-14;
 
     /**
-     * Width of the difference quotient of a load, in parts of the end time: its
-     * square is what the parabola leaves out, u over it what rounding adds.
-     */
-    inline constexpr double load_difference = 1e-5;
-
-    /**
      * Of steps in parts of the time: what an interpolant has lost of
      * velocities, u over it, is what accelerations change within it.
      */

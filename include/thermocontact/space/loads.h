@@ -54,6 +54,10 @@ namespace ThermoContact
     void
     assemble(const double time, Vector &heat, Vector &momentum);
 
+    /** The derivative in time of $\ell_u$, of the branch that holds then. */
+    void
+    assemble_momentum_rate(const double time, Vector &momentum);
+
   private:
     const Discretization<dim> &discretization;
     ProblemData<dim>          &data;
