@@ -204,11 +204,12 @@ namespace ThermoContact
         {
           if (parameters.study.is_active() && !command.prints_scene)
             return run_sweep(request, log);
-          check_unused_entries(parameters, request.prm);
-          check_scene(parameters);
+          const Scene scene(parameters);
+          check_unused_entries(scene, request.prm);
+          check_scene(scene);
           if (command.prints_scene)
             return print_scene(request);
-          run_scene(request, since_start, log);
+          run_scene(request, scene, since_start, log);
         }
       catch (const InputError &error)
         {

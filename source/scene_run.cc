@@ -240,11 +240,11 @@ namespace ThermoContact
     template <int dim>
     Forecast
     report_plan(const Request &request,
+                const Scene   &scene,
                 const bool     is_set_up,
                 const MPI_Comm communicator,
                 Log           &log)
     {
-      const Scene            scene(request.parameters);
       const ProblemData<dim> data(scene); // whose expressions have to be right
       std::vector<std::string> warnings;  // of loads
       const LoadHistory        loads = load_history(scene, data, warnings);
@@ -316,7 +316,10 @@ namespace ThermoContact
   {
     template <int dim>
     void
-    run_in(const Request &request, const Timer &since_start, Log &log)
+    run_in(const Request &request,
+           const Scene   &scene,
+           const Timer   &since_start,
+           Log           &log)
     {
       const Parameters  &parameters = request.parameters;
       const CommandLine &command    = request.command;
@@ -338,7 +341,7 @@ namespace ThermoContact
         {
           // all ranks refuse, or none
           const SharedMemory memory = scarcest_memory(communicator);
-          check_memory(Scene(parameters),
+          check_memory(scene,
                        Utilities::MPI::n_mpi_processes(communicator),
                        memory.bytes,
                        memory.share);
@@ -351,14 +354,13 @@ namespace ThermoContact
           if (checkpoint)
             report_resumption(*checkpoint, parameters, log);
         }
-      const bool is_set_up =
-        !command.check_only || dim == 1 ||
-        Scene(parameters).n_unknowns() <= most_unknowns_of_check;
+      const bool is_set_up = !command.check_only || dim == 1 ||
+                             scene.n_unknowns() <= most_unknowns_of_check;
       const Forecast forecast =
-        report_plan<dim>(request, is_set_up, communicator, log);
+        report_plan<dim>(request, scene, is_set_up, communicator, log);
       if (!is_set_up)
         return;
-      Simulation<dim> simulation(parameters, communicator);
+      Simulation<dim> simulation(scene, communicator);
       if (checkpoint)
         restore(simulation, *checkpoint);
       report_set_up(simulation, since_start.wall_time(), log);
@@ -373,7 +375,7 @@ namespace ThermoContact
       else if (Utilities::MPI::this_mpi_process(communicator) == 0)
         keep_as_newest(directory, *checkpoint);
       write_used_parameters(directory,
-                            unused_paths(parameters),
+                            unused_paths(scene),
                             request.prm,
                             request.assignments,
                             communicator);
@@ -402,17 +404,21 @@ namespace ThermoContact
 
 
   void
-  run_scene(const Request &request, const Timer &since_start, Log &log)
+  run_scene(const Request &request,
+            const Scene   &scene,
+            const Timer   &since_start,
+            Log           &log)
   {
     switch (request.parameters.dimension)
       {
         case 1:
-          return serial_section([&]() { run_in<1>(request, since_start, log); },
-                                MPI_COMM_WORLD);
+          return serial_section(
+            [&]() { run_in<1>(request, scene, since_start, log); },
+            MPI_COMM_WORLD);
         case 2:
-          return run_in<2>(request, since_start, log);
+          return run_in<2>(request, scene, since_start, log);
         default:
-          return run_in<3>(request, since_start, log);
+          return run_in<3>(request, scene, since_start, log);
       }
   }
 } // namespace ThermoContact

@@ -67,8 +67,9 @@ read_parameters(const std::string              &name,
     assignments.push_back(ThermoContact::parse_override(text));
   // together: the variables of one follow from others
   ThermoContact::assign_entries(assignments, prm, parameters);
-  check_unused_entries(parameters, prm);
-  check_scene(parameters);
+  const ThermoContact::Scene scene(parameters);
+  check_unused_entries(scene, prm);
+  check_scene(scene);
   return parameters;
 }
 

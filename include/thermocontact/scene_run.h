@@ -49,12 +49,16 @@ namespace ThermoContact
    * files; or checks it, if the command says so. Collective on the ranks of
    * MPI_COMM_WORLD, of which those that share the body compute: of a rod, one.
    *
+   * @param scene of the parameters, which fits together
    * @param since_start runs since the start of the program
    * @throw InputError if the scene, the directory or the checkpoint do not fit
    * @throw ComputationError if the run fails or is interrupted
    */
   void
-  run_scene(const Request &request, const dealii::Timer &since_start, Log &log);
+  run_scene(const Request       &request,
+            const Scene         &scene,
+            const dealii::Timer &since_start,
+            Log                 &log);
 } // namespace ThermoContact
 
 #endif

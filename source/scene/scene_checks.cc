@@ -603,8 +603,16 @@ namespace ThermoContact
   void
   check_scene(const Parameters &parameters)
   {
-    const Scene  scene(parameters);
-    const double nu = parameters.model.poisson_ratio;
+    check_scene(Scene(parameters));
+  }
+
+
+
+  void
+  check_scene(const Scene &scene)
+  {
+    const Parameters &parameters = scene.parameters;
+    const double      nu         = parameters.model.poisson_ratio;
     if (!(nu > -1. && nu < 0.5))
       refuse("Model/Poisson ratio",
              nu,

@@ -110,10 +110,10 @@ namespace ThermoContact
 
 
   std::vector<UnusedEntry>
-  unused_entries(const Parameters &parameters)
+  unused_entries(const Scene &scene)
   {
-    const Scene scene(parameters);
-    Collector   unused;
+    const Parameters &parameters = scene.parameters;
+    Collector         unused;
     add_by_model(scene, unused);
     unused.add_if(parameters.dimension == 1,
                   {"Model/Poisson ratio",
@@ -184,10 +184,10 @@ namespace ThermoContact
 
 
   std::set<std::string>
-  unused_paths(const Parameters &parameters)
+  unused_paths(const Scene &scene)
   {
     std::set<std::string> paths;
-    for (const UnusedEntry &unused : unused_entries(parameters))
+    for (const UnusedEntry &unused : unused_entries(scene))
       paths.insert(unused.path);
     return paths;
   }
@@ -195,11 +195,10 @@ namespace ThermoContact
 
 
   void
-  check_unused_entries(const Parameters       &parameters,
-                       const ParameterHandler &prm)
+  check_unused_entries(const Scene &scene, const ParameterHandler &prm)
   {
     const std::vector<DeclaredEntry> entries = declared_entries(prm);
-    for (const UnusedEntry &unused : unused_entries(parameters))
+    for (const UnusedEntry &unused : unused_entries(scene))
       for (const DeclaredEntry &entry : entries)
         if (entry.path == unused.path &&
             !equal_values(entry.value, entry.default_value))

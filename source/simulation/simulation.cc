@@ -39,17 +39,40 @@ namespace ThermoContact
 
 
   template <int dim>
+  Simulation<dim>::Simulation(const Scene               &scene,
+                              const MPI_Comm             communicator,
+                              const AssembledSpace<dim> *shared)
+    : Simulation(nullptr, &scene, communicator, shared)
+  {}
+
+
+
+  template <int dim>
   Simulation<dim>::Simulation(const Parameters          &parameters,
                               const MPI_Comm             communicator,
                               const AssembledSpace<dim> *shared)
-    : scene_(parameters)
+    : Simulation(std::make_unique<const Scene>(parameters),
+                 nullptr,
+                 communicator,
+                 shared)
+  {}
+
+
+
+  template <int dim>
+  Simulation<dim>::Simulation(std::unique_ptr<const Scene> own,
+                              const Scene                 *borrowed,
+                              const MPI_Comm               communicator,
+                              const AssembledSpace<dim>   *shared)
+    : own_scene(std::move(own))
+    , scene_(own_scene ? *own_scene : *borrowed)
     , body_(scene_, communicator, shared)
     , measurements(body_)
     , integrator(scene_.scheme.integrator->make(body_))
     , reset(body_)
     , tracker(body_, reset)
-    , controller(parameters.time,
-                 parameters.output,
+    , controller(parameters().time,
+                 parameters().output,
                  scene_.scheme.order,
                  DimensionTraits<dim>::has_cheap_factors ?
                    StepLadder{4, false} :

@@ -158,8 +158,9 @@ namespace ThermoContact
         "  error bars: repeat ", errors.n_repeats, " with ", coarser.words));
       try
         {
-          check_scene(coarser.parameters);
-          Simulation<dim> repeat(coarser.parameters, communicator);
+          const Scene its_scene(coarser.parameters);
+          check_scene(its_scene);
+          Simulation<dim> repeat(its_scene, communicator);
           repeat.run({[&](const Simulation<dim> &) { look_up(); }});
           KeyResults result =
             smooth_key_results(repeat.scene(), repeat.history());

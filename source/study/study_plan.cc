@@ -459,10 +459,11 @@ namespace ThermoContact
     reader.read(reference && overrides == *reference ? "Study/Reference" :
                                                        "Study/Vary",
                 overrides);
-    for (const auto &unused : unused_entries(reader.scene()))
+    const Scene scene(reader.scene());
+    for (const auto &unused : unused_entries(scene))
       if (const auto value = find_override(overrides, unused.path))
         throw InputError(unused.path + " = " + *value +
                          " has no effect, since " + unused.reason);
-    check_scene(reader.scene());
+    check_scene(scene);
   }
 } // namespace ThermoContact

@@ -21,7 +21,7 @@ namespace ThermoContact
   {
     /** What used.prm of a single run leaves out: the study is not its own. */
     std::set<std::string>
-    foreign_entries(const Parameters &scene, const ParameterHandler &prm)
+    foreign_entries(const Scene &scene, const ParameterHandler &prm)
     {
       std::set<std::string> paths = unused_paths(scene);
       for (const auto &[path, value] : entry_values(prm))
@@ -50,7 +50,7 @@ namespace ThermoContact
     /** Runs a scene once. */
     template <int dim>
     void
-    run_scene(const Parameters  &parameters,
+    run_scene(const Scene       &scene,
               SharedSpaces      &spaces,
               const std::string &directory,
               const SignalWatch &signals,
@@ -58,9 +58,7 @@ namespace ThermoContact
     {
       RunTimes        times;
       const Timer     since_start;
-      Simulation<dim> simulation(parameters,
-                                 MPI_COMM_SELF,
-                                 &spaces.get<dim>(Scene(parameters)));
+      Simulation<dim> simulation(scene, MPI_COMM_SELF, &spaces.get<dim>(scene));
       times.set_up = since_start.wall_time();
       std::unique_ptr<Output<dim>> output;
       run.trajectory                                = Trajectory();
@@ -139,8 +137,8 @@ namespace ThermoContact
     try
       {
         plan.read_scene(overrides, reader);
-        const Parameters &scene = reader.scene();
-        run.scales              = scene.scales;
+        const Scene scene(reader.scene());
+        run.scales = scene.parameters.scales;
         if (!directory.empty())
           {
             prepare_output_directory(directory, MPI_COMM_SELF);
@@ -151,9 +149,9 @@ namespace ThermoContact
                                   MPI_COMM_SELF);
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)
-          if (scene.dimension == 1)
+          if (scene.parameters.dimension == 1)
             run_scene<1>(scene, spaces, directory, signals, run);
-          else if (scene.dimension == 2)
+          else if (scene.parameters.dimension == 2)
             run_scene<2>(scene, spaces, directory, signals, run);
           else
             run_scene<3>(scene, spaces, directory, signals, run);

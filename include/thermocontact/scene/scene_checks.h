@@ -20,23 +20,22 @@ namespace ThermoContact
 
 
 
-  /** The entries that the scene of these parameters cannot use. */
+  /** The entries that the scene cannot use. */
   std::vector<UnusedEntry>
-  unused_entries(const Parameters &parameters);
+  unused_entries(const Scene &scene);
 
   /** Their paths: what used.prm leaves out. */
   std::set<std::string>
-  unused_paths(const Parameters &parameters);
+  unused_paths(const Scene &scene);
 
   /**
    * Refuses values that the scene would ignore.
    *
-   * @param prm bound to @p parameters
+   * @param prm bound to the parameters of the scene
    * @throw InputError if an entry of unused_entries() differs from its default
    */
   void
-  check_unused_entries(const Parameters       &parameters,
-                       const ParameterHandler &prm);
+  check_unused_entries(const Scene &scene, const ParameterHandler &prm);
 
   /**
    * Checks what a pattern for one entry cannot: limits that exclude their
@@ -44,6 +43,10 @@ namespace ThermoContact
    *
    * @throw InputError naming section path, value, what is allowed, remedy
    */
+  void
+  check_scene(const Scene &scene);
+
+  /** The same of the scene of these parameters. */
   void
   check_scene(const Parameters &parameters);
 

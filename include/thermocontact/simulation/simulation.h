@@ -69,10 +69,16 @@ namespace ThermoContact
      * Sets up mesh, matrices and the initial state. Collective on
      * @p communicator.
      *
+     * @param scene borrowed
      * @param shared mesh and matrices of such a scene, borrowed; null: the
      *   simulation has its own
      * @throw InputError if expressions or initial values do not fit the scene
      */
+    Simulation(const Scene               &scene,
+               const MPI_Comm             communicator,
+               const AssembledSpace<dim> *shared = nullptr);
+
+    /** The same with a scene of its own. */
     Simulation(const Parameters          &parameters,
                const MPI_Comm             communicator,
                const AssembledSpace<dim> *shared = nullptr);
@@ -201,7 +207,14 @@ namespace ThermoContact
     }
 
   private:
-    const Scene                           scene_;
+    /** One of the two scenes is there. */
+    Simulation(std::unique_ptr<const Scene> own,
+               const Scene                 *borrowed,
+               const MPI_Comm               communicator,
+               const AssembledSpace<dim>   *shared);
+
+    const std::unique_ptr<const Scene>    own_scene;
+    const Scene                          &scene_;
     Body<dim>                             body_;
     Measurements<dim>                     measurements;
     const std::unique_ptr<TimeIntegrator> integrator;
