@@ -21,11 +21,6 @@ namespace ThermoContact
     /** Sets of tangents that Newton's method may take at once. */
     constexpr unsigned int max_sets_of_many_changes = 20;
 
-    /** Of each node, and of all. */
-    constexpr unsigned int max_iterations = 100;
-
-
-
     /** What node @p i loses by the pressures of the others. */
     double
     loss_by_others(const FullMatrix<double>  &receptance,
@@ -39,57 +34,6 @@ namespace ThermoContact
       return sum;
     }
   } // namespace
-
-
-
-  void
-  InterfaceProblem::measure(const FullMatrix<double>  &receptance,
-                            const std::vector<double> &free,
-                            Iterate                   &nodes)
-  {
-    const unsigned int n = nodes.z.size();
-    nodes.defect.resize(n);
-    nodes.norm   = 0.;
-    double scale = 0., largest = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const double loss = loss_by_others(receptance, nodes.pressure, i);
-        nodes.defect[i]   = nodes.z[i] + loss - free[i];
-        nodes.norm += nodes.defect[i] * nodes.defect[i];
-        largest = std::max(largest, std::abs(nodes.defect[i]));
-        scale =
-          std::max({scale,
-                    std::abs(free[i]),
-                    std::abs(nodes.z[i]),
-                    std::abs(loss + receptance(i, i) * nodes.pressure[i])});
-      }
-    // the sum has a NaN, wherever it is; a NaN is no small defect
-    nodes.miss = std::isnan(nodes.norm) ? nodes.norm :
-                 largest == 0.          ? 0. :
-                                          largest / scale;
-  }
-
-
-
-  void
-  InterfaceProblem::evaluate(const FullMatrix<double>   &receptance,
-                             const std::vector<NodeLaw> &laws,
-                             const std::vector<double>  &free,
-                             Iterate                    &nodes,
-                             const bool                  is_sweep)
-  {
-    nodes.pressure.resize(laws.size());
-    nodes.slope.resize(laws.size());
-    for (unsigned int i = 0; i < laws.size(); ++i)
-      {
-        if (is_sweep)
-          nodes.z[i] = free[i] - loss_by_others(receptance, nodes.pressure, i);
-        const NodalPressure p = laws[i].resolve(nodes.z[i], receptance(i, i));
-        nodes.pressure[i]     = p.pressure;
-        nodes.slope[i]        = p.tangent.slope(receptance(i, i));
-      }
-    measure(receptance, free, nodes);
-  }
 
 
 
@@ -159,6 +103,79 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** A body whose W is known. */
+    class DenseResponse : public InterfaceOperator
+    {
+    public:
+      DenseResponse(const FullMatrix<double>  &receptance,
+                    const std::vector<double> &free)
+        : receptance(receptance)
+        , free(free)
+      {}
+
+      bool
+      is_dense() const override
+      {
+        return true;
+      }
+
+      void
+      solve(const std::vector<AffineLaw> &laws,
+            const bool /*is_last*/,
+            std::vector<double> &position,
+            std::vector<double> &pressure) override
+      {
+        // z + (W - R) p = x_free with p = P' (z - x_0)
+        const unsigned int  n = laws.size();
+        std::vector<double> slope(n), of_offsets(n);
+        FullMatrix<double>  z(n, 1);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            slope[i]      = laws[i].slope(receptance(i, i));
+            of_offsets[i] = slope[i] * laws[i].offset;
+          }
+        for (unsigned int i = 0; i < n; ++i)
+          z(i, 0) = free[i] + loss_by_others(receptance, of_offsets, i);
+        respond_to_change(receptance, slope, z);
+        for (unsigned int i = 0; i < n; ++i)
+          pressure[i] = laws[i].pressure(z(i, 0), receptance(i, i));
+        for (unsigned int i = 0; i < n; ++i)
+          position[i] = z(i, 0) - receptance(i, i) * pressure[i];
+      }
+
+      void
+      sweep(const std::vector<NodeLaw> &laws,
+            std::vector<double>        &position,
+            std::vector<double>        &pressure) override
+      {
+        for (unsigned int i = 0; i < laws.size(); ++i)
+          pressure[i] =
+            laws[i]
+              .resolve(free[i] - loss_by_others(receptance, pressure, i),
+                       receptance(i, i))
+              .pressure;
+        set_positions(pressure, position);
+      }
+
+      void
+      set_positions(const std::vector<double> &pressure,
+                    std::vector<double>       &position) const
+      {
+        for (unsigned int i = 0; i < pressure.size(); ++i)
+          position[i] = free[i] - loss_by_others(receptance, pressure, i) -
+                        receptance(i, i) * pressure[i];
+      }
+
+    private:
+      const FullMatrix<double>  &receptance;
+      const std::vector<double> &free;
+    };
+  } // namespace
+
+
+
   unsigned int
   InterfaceProblem::solve(const FullMatrix<double>   &receptance,
                           const std::vector<NodeLaw> &laws,
@@ -167,72 +184,40 @@ namespace ThermoContact
   {
     const unsigned int n = laws.size();
     pressure.resize(n, 0.);
-    present.z.resize(n);
+    slopes_.assign(n, 0.);
     if (std::any_of(free.begin(), free.begin() + n, [](const double x) {
           return std::isnan(x);
         }))
       {
         // no law says what it does: the state that follows is not finite
         pressure.assign(n, nan);
-        present.slope.assign(n, 0.);
         return 1;
       }
-    if (n == 1)
+    unsigned int n_sets = 1;
+    z.assign(free.begin(), free.begin() + n);
+    if (n > 1)
       {
-        const NodalPressure p = laws[0].resolve(free[0], receptance(0, 0));
-        pressure[0]           = p.pressure;
-        present.slope.assign(1, p.tangent.slope(receptance(0, 0)));
-        return 1;
-      }
-
-    for (unsigned int i = 0; i < n; ++i)
-      present.z[i] = free[i] - loss_by_others(receptance, pressure, i);
-    evaluate(receptance, laws, free, present);
-    unsigned int n_short_steps = 0;
-    for (unsigned int k = 1; k <= max_iterations * (n + 1); ++k)
-      {
-        FullMatrix<double> step(n, 1);
+        std::vector<double> own(n), position(n);
         for (unsigned int i = 0; i < n; ++i)
-          step(i, 0) = -present.defect[i];
-        respond_to_change(receptance, present.slope, step);
-        double part    = 1.;
-        bool   is_less = false;
-        trial.z.resize(n);
-        while (!is_less && part > Tolerances::shortest_newton_step)
-          {
-            for (unsigned int i = 0; i < n; ++i)
-              trial.z[i] = present.z[i] + part * step(i, 0);
-            evaluate(receptance, laws, free, trial);
-            // piecewise linear laws have been solved if no node has changed
-            if (part == 1. && trial.slope == present.slope &&
-                trial.miss <= Tolerances::rounding_of_solution)
-              {
-                std::swap(present, trial);
-                pressure = present.pressure;
-                return k;
-              }
-            is_less = trial.norm < (1. - 0.2 * part) * present.norm;
-            if (!is_less)
-              part *= 0.5;
-          }
-        n_short_steps = part == 1. ? 0 : n_short_steps + 1;
-        if (is_less && n_short_steps <= max_short_steps)
-          {
-            std::swap(present, trial);
-            if (present.miss > Tolerances::rounding)
-              continue;
-          }
-        if (present.miss <= Tolerances::rounding_of_solution)
-          {
-            pressure = present.pressure;
-            return k;
-          }
-        evaluate(receptance, laws, free, present, true);
-        n_short_steps = 0;
+          own[i] = receptance(i, i);
+        DenseResponse body(receptance, free);
+        body.set_positions(pressure, position);
+        n_sets = solve_by_tangents(body,
+                                   laws,
+                                   own,
+                                   Tolerances::rounding_of_solution,
+                                   position,
+                                   pressure);
+        for (unsigned int i = 0; i < n; ++i)
+          z[i] = position[i] + own[i] * pressure[i];
       }
-    throw ComputationError("the pressures of " + std::to_string(n) +
-                           " contact nodes were not found\n  remedy:  a "
-                           "smaller Time/Step size");
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const NodalPressure p = laws[i].resolve(z[i], receptance(i, i));
+        pressure[i]           = p.pressure;
+        slopes_[i]            = p.tangent.slope(receptance(i, i));
+      }
+    return n_sets;
   }
 
 
@@ -245,6 +230,7 @@ namespace ThermoContact
       std::vector<double> z, pressure;
 
       // of their laws there
+      std::vector<double>    pressure_of_law; ///< $P(z)$
       std::vector<AffineLaw> tangent;
       std::vector<double>    defect;    ///< $r|P(z)-p|$
       double                 norm = 0.; ///< of it, its square
@@ -253,12 +239,14 @@ namespace ThermoContact
       meet(const std::vector<NodeLaw> &laws,
            const std::vector<double>  &receptance)
       {
+        pressure_of_law.resize(z.size());
         tangent.resize(z.size());
         defect.resize(z.size());
         norm = 0.;
         for (unsigned int i = 0; i < z.size(); ++i)
           {
             const NodalPressure p = laws[i].resolve(z[i], receptance[i]);
+            pressure_of_law[i]    = p.pressure;
             tangent[i]            = p.tangent;
             defect[i] = receptance[i] * std::abs(p.pressure - pressure[i]);
             norm += defect[i] * defect[i];
@@ -293,8 +281,9 @@ namespace ThermoContact
                     std::vector<double>        &position,
                     std::vector<double>        &pressure)
   {
-    const unsigned int     n       = laws.size();
-    bool                   is_last = true; // if no node can change
+    const unsigned int     n             = laws.size();
+    bool                   is_last       = true; // if no node can change
+    unsigned int           n_short_steps = 0;
     std::vector<AffineLaw> tangents(n);
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -302,8 +291,8 @@ namespace ThermoContact
         if (law.law == nullptr || !law.law->is_active())
           continue;
         is_last = is_last && law.is_held;
-        if (law.is_held || pressure[i] != 0.)
-          tangents[i] = law.is_in_velocity ?
+        if (body.is_dense() || law.is_held || pressure[i] != 0.)
+          tangents[i] = body.is_dense() || law.is_in_velocity ?
                           law
                             .resolve(position[i] + receptance[i] * pressure[i],
                                      receptance[i])
@@ -311,6 +300,7 @@ namespace ThermoContact
                           law.tangent_of_pressure(pressure[i]);
       }
 
+    is_last                     = is_last || body.is_dense();
     const unsigned int max_sets = max_sets_of_many_changes + 200 + 2 * n;
     NodesOfBody        present, next, trial;
     next.z.resize(n);
@@ -345,9 +335,10 @@ namespace ThermoContact
             continue;
           }
 
-        const bool takes_one = n_sets >= max_sets_of_many_changes;
-        double     part      = 1.;
-        trial                = next;
+        const bool takes_one =
+          !body.is_dense() && n_sets >= max_sets_of_many_changes;
+        double part = 1.;
+        trial       = next;
         while (n_sets > 1 && !takes_one &&
                part > Tolerances::shortest_newton_step &&
                !(trial.norm < (1. - 0.2 * part) * present.norm))
@@ -358,6 +349,22 @@ namespace ThermoContact
           }
         const bool is_short =
           part < 1. && part > Tolerances::shortest_newton_step;
+        n_short_steps = part < 1. ? n_short_steps + 1 : 0;
+        ++n_sets;
+        if (body.is_dense() &&
+            (n_short_steps > max_short_steps || (part < 1. && !is_short)))
+          {
+            // stalled: once each node alone
+            pressure = present.pressure_of_law;
+            body.sweep(laws, position, pressure);
+            for (unsigned int i = 0; i < n; ++i)
+              present.z[i] = position[i] + receptance[i] * pressure[i];
+            present.pressure = pressure;
+            present.meet(laws, receptance);
+            tangents      = present.tangent;
+            n_short_steps = 0;
+            continue;
+          }
         present = is_short ? trial : next;
         for (unsigned int i = 0; i < n; ++i)
           if (is_short || !is_settled(present.defect[i]))
@@ -366,7 +373,6 @@ namespace ThermoContact
               if (takes_one)
                 break;
             }
-        ++n_sets;
       }
     throw ComputationError("the pressures of " + std::to_string(n) +
                            " contact nodes did not settle\n  remedy:  a larger "

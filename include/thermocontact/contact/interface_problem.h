@@ -18,12 +18,10 @@ namespace ThermoContact
    * @f[
    *   z + (W-R)\,P(z) = x^{free},
    * @f]
-   * well conditioned from rigid obstacles to none at all. Newton's method
-   * (semismooth), its steps halved while the defect does not fall; for
-   * obstacles that are linear it is the primal-dual active set method. Where it
-   * stalls, one sweep in which each node meets its law alone, which always
-   * lowers the convex energy $\frac12p^TWp-p^Tx^{free}+\sum\Phi_i^*(p_i)$. One
-   * node: $p=P(x^{free})$, at once. No mesh, no communication.
+   * well conditioned from rigid obstacles to none at all, which
+   * solve_by_tangents() solves; for obstacles that are linear that is the
+   * primal-dual active set method. One node: $p=P(x^{free})$, at once. No mesh,
+   * no communication.
    */
   class InterfaceProblem
   {
@@ -49,34 +47,12 @@ namespace ThermoContact
     const std::vector<double> &
     slopes() const
     {
-      return present.slope;
+      return slopes_;
     }
 
   private:
-    /** The nodes at some $z$. */
-    struct Iterate
-    {
-      std::vector<double> z, pressure, slope;
-      std::vector<double> defect;    ///< of the equation
-      double              norm = 0.; ///< of the defect, its square
-      double              miss = 0.; ///< largest defect relative to its terms
-    };
-
-    Iterate present, trial;
-
-    /** @param is_sweep each node meets its law beside what those before it
-     *   make of its z; else all at the z that is given */
-    static void
-    evaluate(const dealii::FullMatrix<double> &receptance,
-             const std::vector<NodeLaw>       &laws,
-             const std::vector<double>        &free,
-             Iterate                          &nodes,
-             const bool                        is_sweep = false);
-
-    static void
-    measure(const dealii::FullMatrix<double> &receptance,
-            const std::vector<double>        &free,
-            Iterate                          &nodes);
+    std::vector<double> z; ///< scratch
+    std::vector<double> slopes_;
   };
 
 
@@ -107,10 +83,7 @@ namespace ThermoContact
 
 
 
-  /**
-   * A body so large that W is not known column by column: linear systems for
-   * nodes whose laws are straight lines.
-   */
+  /** A body as linear systems for nodes whose laws are straight lines. */
   class InterfaceOperator
   {
   public:
@@ -126,23 +99,45 @@ namespace ThermoContact
           const bool                    is_last,
           std::vector<double>          &position,
           std::vector<double>          &pressure) = 0;
+
+    /**
+     * W is known: systems are solved to rounding at once, and there is sweep().
+     */
+    virtual bool
+    is_dense() const
+    {
+      return false;
+    }
+
+    /**
+     * One node after the other meets its law beside the pressures of all
+     * others, from @p pressure on.
+     */
+    virtual void
+    sweep(const std::vector<NodeLaw> & /*laws*/,
+          std::vector<double> & /*position*/,
+          std::vector<double> & /*pressure*/)
+    {}
   };
 
 
 
   /**
-   * InterfaceProblem for such a body: Newton's method, in whose step every law
-   * is its tangent at $z=x+rp$, doc/contact-in-time.md (C2.9). Steps are
-   * halved while the pressures $P(z)$ do not come closer to those of the body;
-   * a node whose tangent is its law to rounding keeps it. After many steps one
+   * Contact of the nodes of a body, (C2.4): Newton's method (semismooth), in
+   * whose step every law is its tangent at $z=x+rp$, doc/contact-in-time.md
+   * (C2.9). Steps are halved while the pressures $P(z)$ do not come closer to
+   * those of the body; a node whose tangent is its law to rounding keeps it.
+   * Where W is known and the method stalls, one sweep in which each node meets
+   * its law alone, which always lowers the convex energy
+   * $\frac12p^TWp-p^Tx^{free}+\sum\Phi_i^*(p_i)$. Else after many steps one
    * node at a time changes (Murty 1974), which cannot cycle where laws are
    * piecewise linear.
    *
-   * @param receptance $r$ of the nodes, an estimate: it does not change the
-   *   solution
+   * @param receptance $r$ of the nodes; where W is not known an estimate, which
+   *   does not change the solution
    * @param rounding of $z$, as a part of the largest
-   * @param position in: of laws in velocity, from which the search starts; out:
-   *   the solution
+   * @param position in: of laws in velocity, and where W is known, from which
+   *   the search starts; out: the solution
    * @param pressure in: of a nearby problem; out: the solution. No obstacle
    *   pulls but for nodes that are held
    * @return number of linear systems with different laws
