@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """usage: check_scripts.py SOURCE_DIRECTORY
 
-What scripts/check_links, scripts/build, scripts/run, scripts/mutate, scripts/bare and
-scripts/gallery report. The links of a small page, one by one, lead somewhere or
+What scripts/check_links, scripts/build, scripts/run, scripts/mutate, scripts/bare,
+.ci/run and scripts/gallery report. The links of a small page, one by one, lead somewhere or
 not, as written beside each; the counts in the last line are those of the page.
 The others run in a project whose cmake, make, mpirun, program and packages are
 stand-ins that write down their arguments, and fail when told to: messages, logs,
@@ -315,6 +315,36 @@ def check_mutate(top):
           not result.stderr, result.stderr)
 
 
+def check_ci(top):
+    """Both suites in bare systems that say what they are told: the lines of their results stand at
+    the end, one that fails is a failure, and without bare systems the tests run here."""
+    project = Project(top)
+    (top / ".ci").mkdir()
+    shutil.copy(source / ".ci/run", top / ".ci")
+    for name, said in (("bare", "scripts/test: $WORD, 7 s"), ("test", "of this system")):
+        project.stand_in(top / "scripts" / name)
+        (top / "scripts" / name).write_text(
+            f"#!/bin/sh\nsuite=${{1:-here}}\n[ $suite != --root ] || suite=$2\necho {name} $suite >>$CALLS\n"
+            f'WORD=passed\n[ "$suite" != "$RED" ] || WORD=FAILED\necho "{said}"\n'
+            'echo "100% tests passed, 0 tests failed out of 3"\necho "scripts/bare: no $suite"\n'
+            f'[ $WORD = passed ] || exit 1\n[ {name} = test ] || exit $STATUS\n')
+    passed = "100% tests passed, 0 tests failed out of 3"
+    for red, status, suites in (("", "0", ["bookworm", "trixie"]), ("trixie", "0", []),
+                                ("bookworm", "0", []), ("", "125", []), ("", "3", [])):
+        result, calls = project.run("../.ci/run", RED=red, STATUS=status)
+        expected = []
+        for suite in ("bookworm", "trixie"):
+            expected += [f"== {suite}", f"scripts/test: {'FAILED' if red == suite else 'passed'}, 7 s",
+                         passed] + ["scripts/bare: no " + suite] * (status == "125")
+        if status == "125":
+            expected += ["== scripts/test in this system instead", passed]
+        check(f"CI, red {red!r}, status {status}", result.returncode == (
+            0 if not red and status in ("0", "125") else 1) and
+            result.stdout.rstrip().splitlines()[-len(expected):] == expected and
+            calls == ["bare bookworm", "bare trixie"] + ["test here"] * (status == "125"),
+            result.stdout + result.stderr)
+
+
 def check_bare():
     """What scripts/bare refuses before it makes anything."""
     script = source / "scripts/bare"
@@ -356,6 +386,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_build(Path(scratch) / "build of")
     check_run(Path(scratch) / "run of")
     check_mutate(Path(scratch) / "mutate of")
+    check_ci(Path(scratch) / "ci of")
     check_foreign_clone(Path(scratch) / "foreign")
     check_installed(Path(scratch) / "installed")
     check_gallery(Path(scratch) / "gallery of")
