@@ -413,7 +413,11 @@ namespace ThermoContact
         rates.push_back(function.first);
       return rates;
     };
-    gaps.start(loads_at, time_step.size, state.gap, derivatives_at);
+    gaps.start(loads_at,
+               time_step.size,
+               state.gap,
+               body.scene.contact.has_impacts(),
+               derivatives_at);
     if (tableau->n_stages() > 1)
       {
         const std::vector<double> new_rates = rates_of(obstacle);

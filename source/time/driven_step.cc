@@ -23,13 +23,14 @@ namespace ThermoContact
                  const std::vector<double>                 &old_values,
                  const double                               size,
                  const StageTimes                          &stages,
+                 const bool                                 has_inertia,
                  PrescribedMotion                          &motion)
     {
-      motion.start(stages, size, old_values, [&](const double time) {
+      motion.start(stages, size, old_values, has_inertia, [&](const double t) {
         return std::vector<TimeDerivatives>(old_values.size(),
                                             old_values.empty() ?
                                               TimeDerivatives{} :
-                                              function->derivatives(time));
+                                              function->derivatives(t));
       });
     }
   } // namespace
@@ -63,11 +64,13 @@ namespace ThermoContact
                            state.temperature),
                  size,
                  stages,
+                 false,
                  temperature);
     start_motion(scene.fixed_end_motion,
                  values_at(moved, state.displacement),
                  size,
                  stages,
+                 scene.material.has_inertia(),
                  displacement);
     displacement.set_accelerations(values_at(moved, state.velocity),
                                    displacement.stages().back().rates);

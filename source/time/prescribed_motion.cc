@@ -38,6 +38,7 @@ namespace ThermoContact
     const StageTimes                                          &times,
     const double                                               step_size,
     const std::vector<double>                                 &old_values,
+    const bool                                                 has_inertia,
     const std::function<std::vector<TimeDerivatives>(double)> &functions_at)
   {
     const unsigned int n = old_values.size(), n_stages = times.times.size();
@@ -62,6 +63,8 @@ namespace ThermoContact
     for (unsigned int k = 0; k < n; ++k)
       {
         const double value = functions[k].value;
+        if (has_inertia && ends_with_last_stage)
+          integrate_accelerations(times, k);
         shift(stages_,
               &PrescribedStage::rates,
               weights,
@@ -75,6 +78,24 @@ namespace ThermoContact
             stages_[i].values[k] += size * times.a[i][j] * stages_[j].rates[k];
         if (ends_with_last_stage)
           stages_.back().values[k] = value;
+      }
+  }
+
+
+
+  void
+  PrescribedMotion::integrate_accelerations(const StageTimes  &times,
+                                            const unsigned int k)
+  {
+    const double rate_at_end = stages_.back().rates[k];
+    for (unsigned int i = 0; i < stages_.size(); ++i)
+      {
+        double rest = 0.; // from the stage to the end
+        for (unsigned int j = 0; j < stages_.size(); ++j)
+          rest += (weights[j] - (j <= i ? times.a[i][j] : 0.)) *
+                  stages_[j].accelerations[k];
+        if (const double rate = rate_at_end - size * rest; std::isfinite(rate))
+          stages_[i].rates[k] = rate;
       }
   }
 

@@ -27,8 +27,11 @@ namespace ThermoContact
    * moves; doc/discretisation.md (D6.1), (C8.1). Their rates are those of the
    * functions, all of them shifted by what lets the step end at the value
    * there, and their values follow them as all other unknowns do: so schemes
-   * keep their orders. Where a function has no derivative, jumps, or starts
-   * from another value, the rates still lead to its value.
+   * keep their orders. What has inertia has rates that follow the second
+   * derivatives in the same way, as the velocities of all nodes around it do: a
+   * viscous body would answer the difference by accelerations of low order.
+   * Where a function has no derivative, jumps, or starts from another value,
+   * the rates still lead to its value.
    */
   class PrescribedMotion
   {
@@ -37,6 +40,7 @@ namespace ThermoContact
      * Begins a step.
      *
      * @param old_values at its beginning
+     * @param has_inertia rates are to follow second derivatives
      * @param functions_at of each scalar at a time
      */
     void
@@ -44,6 +48,7 @@ namespace ThermoContact
       const StageTimes                                          &stages,
       const double                                               size,
       const std::vector<double>                                 &old_values,
+      const bool                                                 has_inertia,
       const std::function<std::vector<TimeDerivatives>(double)> &functions_at);
 
     /**
@@ -64,6 +69,13 @@ namespace ThermoContact
     double                       size = 0.;
     std::vector<double>          weights;
     std::vector<PrescribedStage> stages_;
+
+    /**
+     * Rates of scalar @p k that its second derivatives lead from stage to stage
+     * to that at the end of the step; those without a number are left alone.
+     */
+    void
+    integrate_accelerations(const StageTimes &stages, const unsigned int k);
   };
 } // namespace ThermoContact
 
