@@ -10,9 +10,10 @@ namespace ThermoContact
 {
   ErrorNorm::ErrorNorm(const double temperature_energy,
                        const double heating,
+                       const double inertia,
                        const double accuracy)
     : temperature_energy(temperature_energy)
-    , heating(heating)
+    , heat_of_deformation(heating * heating / std::max(1., inertia))
     , accuracy(accuracy)
     , max_thermal(0.)
     , max_mechanical(0.)
@@ -70,7 +71,7 @@ namespace ThermoContact
     const double thermal =
       std::max({max_thermal == 0. ? first_thermal : max_thermal,
                 energy.thermal,
-                heating * heating * mechanical});
+                heat_of_deformation * mechanical});
     const double thermal_error =
       error.thermal <= Tolerances::rounding_of_sum *
                          Tolerances::rounding_of_sum *

@@ -79,6 +79,7 @@ namespace ThermoContact
                    StepLadder{1, true})
     , error_norm(body_.energy.steady_profile_energy(),
                  scene_.material.heating,
+                 scene_.material.inertia,
                  scene_.linear_solver.is_iterative ?
                    scene_.linear_solver.tolerance :
                    Tolerances::rounding_of_solution)

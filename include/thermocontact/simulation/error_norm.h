@@ -11,18 +11,21 @@ namespace ThermoContact
    * Measures the error estimate of a step relative to the solution so far,
    * doc/discretisation.md (D3.4):
    * @f[
-   *   \left( \frac{\|e_\theta\|^2}{\max(\|\hat\theta\|^2,\,a^2E)} +
+   *   \left( \frac{\|e_\theta\|^2}
+   *   {\max(\|\hat\theta\|^2,\,a^2E/\max(1,b))} +
    *   \frac{\|\nabla e_u\|^2 + b\|e_v\|^2 + \varepsilon e_p^2}
    *        {E} \right)^{1/2} , \qquad E=\max(\|\nabla u\|^2, b\|v\|^2) .
    * @f]
    * The maxima are over all accepted states and the one that the step has
    * reached; a field that is zero takes its scale from the first attempt at a
    * step that moves it, until one is accepted. There is no absolute floor:
-   * scaling a scene changes nothing. An error of the temperature that is
-   * rounding of the temperature itself, of which $\hat\theta$ may be a tiny
-   * part, counts as none, and so does one of the displacement, as large as what
-   * solutions of stages leave, in a body whose end moves it so far that its
-   * mechanical energy is rounding.
+   * scaling a scene changes nothing. $a\sqrt E$ is the temperature that
+   * deformation makes at once; inertia lets strains of the energy $E$ change by
+   * $\sqrt{E/b}$ in the time 1 in which heat flows. An error of the temperature
+   * that is rounding of the temperature itself, of which $\hat\theta$ may be a
+   * tiny part, counts as none, and so does one of the displacement, as large as
+   * what solutions of stages leave, in a body whose end moves it so far that
+   * its mechanical energy is rounding.
    */
   class ErrorNorm
   {
@@ -30,10 +33,12 @@ namespace ThermoContact
     /**
      * @param temperature_energy $\frac12\|\theta_s\|^2$
      * @param heating $a$ of the heat equation
+     * @param inertia $b$
      * @param accuracy of displacements that a stage solves for, over the largest
      */
     ErrorNorm(const double temperature_energy,
               const double heating,
+              const double inertia,
               const double accuracy);
 
     /** Takes a state that is accepted into the maxima. */
@@ -70,7 +75,7 @@ namespace ThermoContact
 
   private:
     const double temperature_energy;
-    const double heating;
+    const double heat_of_deformation; ///< $a^2/\max(1,b)$
     const double accuracy;
     double       max_thermal;
     double       max_mechanical;
