@@ -7,6 +7,7 @@
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/vtu_cells.h>
+#include <thermocontact/space/shown_velocity.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -81,10 +82,12 @@ namespace ThermoContact
             cells.join(first + 2 * dim, names.size() - 1);
         }
 
-      Vector viscous_displacement = state.displacement;
-      viscous_displacement.add(material.viscosity, state.velocity);
+      Vector        viscous_displacement = state.displacement;
+      Vector        memory;
+      const Vector &velocity_field = shown_velocity(body.scene, state, memory);
+      viscous_displacement.add(material.viscosity, velocity_field);
       const auto present = joined(space, state.temperature, state.displacement);
-      const auto moving  = joined(space, state.temperature, state.velocity);
+      const auto moving  = joined(space, state.temperature, velocity_field);
       const auto viscous =
         joined(space, state.temperature, viscous_displacement);
 

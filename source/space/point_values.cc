@@ -4,6 +4,7 @@
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/point_values.h>
+#include <thermocontact/space/shown_velocity.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/geometry_info.h>
@@ -228,11 +229,12 @@ namespace ThermoContact
     std::fill(values.begin(), values.end(), 0.);
     add_values(temperature_form, state.temperature, 1., temperature);
     add_values(displacement_form, state.displacement, 1., displacement);
-    add_values(displacement_form, state.velocity, 1., velocity);
+    const Vector &v = shown_velocity(scene, state, velocity_memory);
+    add_values(displacement_form, v, 1., velocity);
     add_values(strain_form, state.displacement, 1., stress);
     const Material &material = scene.material;
     if (material.has_viscosity())
-      add_values(strain_form, state.velocity, material.viscosity, stress);
+      add_values(strain_form, v, material.viscosity, stress);
     if (material.has_thermal_stress())
       add_values(temperature_form,
                  state.temperature,

@@ -136,9 +136,8 @@ namespace ThermoContact
   void
   BoxSolver::solve(const double size, const BoxRates &right, BoxRates &rates)
   {
-    const Factors  &factors = provide(size);
     const StopWatch watch(counters_.solve_seconds);
-    solve_by(factors, right, rates);
+    solve_by(provide(size), right, rates);
     ++counters_.solves;
   }
 

@@ -42,9 +42,20 @@ def draw(seed):
                   "Boundary/Obstacle temperature": "4"}
         if seed % 4 in (0, 3) and s["Model/Inertia"] != "0":
             s["Initial values/Velocity"] = "-x"
+    if dim == 1 and moves and seed % 4 == 1 and s["Model/Inertia"] != "0":
+        draw_box(s)
+        return s
     if dim == 1 and seed % 5 == 0:  # few: probes in the middle are no points of snapshots then
         s["Mesh/Grading"] = "4"
     return s
+
+
+def draw_box(s):
+    """The scheme without dispersion takes whatever a rod with inertia has."""
+    for entry in ("Time/Tolerance", "Output/Period"):
+        s.pop(entry, None)
+    s |= {"Time/Scheme": "box", "Mesh/Degree": "1", "Mesh/Cells": "100",
+          "Model/Inertia": "1", "Time/Step size": "0.01", "Time/Start": "consistent"}
 
 
 def draw_heat(r, s):

@@ -26,6 +26,17 @@ class WideScene(dict):
         if self.get("Model/Inertia") and not one_node and self.happens(0.2) and (
                 self["Model/Viscosity"] or "Contact/Damping" not in self):
             self["Contact/Massless nodes"] = "on"
+        if seed % 5 == 2 and self.get("Model/Inertia") and not self.is_plane:
+            self.take_box()
+
+    def take_box(self):
+        """Waves pass a cell in a step: as many cells as make steps about as long."""
+        wave = self["Model/Inertia"]**0.5
+        n = min(400, max(1, round(15 * wave / self.duration)))
+        for entry in ("Mesh/Grading", "Contact/Massless nodes", "Time/Tolerance"):
+            self.pop(entry, None)
+        self |= {"Time/Scheme": "box", "Mesh/Degree": 1, "Mesh/Cells": n,
+                 "Time/Step size": repr(wave / n), "Time/End time": repr(20 * wave / n)}
 
     def happens(self, probability):
         return self.r.random() < probability

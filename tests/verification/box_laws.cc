@@ -40,6 +40,7 @@
 
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/simulation/simulation.h>
+#include <thermocontact/space/point_values.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -56,15 +57,6 @@ using namespace ThermoContact;
 namespace
 {
   using Entries = std::vector<std::string>;
-
-  Entries
-  operator+(Entries a, const Entries &b)
-  {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-  }
-
-
 
   const Entries elastic_rod = {"Model/Fields=displacement",
                                "Model/Viscosity=0"};
@@ -319,6 +311,31 @@ main_box_laws()
       }
     deallog << "wall: force " << within(error, 1e-12) << ", impulse "
             << within(std::abs(impulse - 0.019), 1e-12) << std::endl;
+
+    // a wave at x = 1/2 behind which the rod has the velocity of the wall
+    Simulation<1> simulation(
+      read_parameters("",
+                      elastic_rod + Entries{"Contact/Condition=rigid",
+                                            "Contact/Gap=-0.01*t",
+                                            "Initial values/Velocity=0",
+                                            "Time/Scheme=box",
+                                            "Mesh/Degree=1",
+                                            "Mesh/Cells=100",
+                                            "Time/Step size=0.01",
+                                            "Time/End time=0.5"}),
+      MPI_COMM_SELF);
+    PointValues<1> probes(simulation.scene(),
+                          simulation.discretization(),
+                          {{Point<1>(0.25), Point<1>(0.25)},
+                           {Point<1>(0.75), Point<1>(0.75)}});
+    simulation.run({});
+    const std::vector<double> &values = probes.evaluate(simulation.state());
+    deallog << "velocities before and behind the wave "
+            << within(std::abs(values[2 * PointValues<1>::velocity]), 1e-14)
+            << ", "
+            << within(std::abs(values[2 * PointValues<1>::velocity + 1] + 0.01),
+                      1e-14)
+            << std::endl;
   }
 
   for (const double inertia : {1., 2.25})

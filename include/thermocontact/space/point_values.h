@@ -132,6 +132,7 @@ namespace ThermoContact
     std::array<std::vector<Term>, n_forms> terms;
     std::vector<double>                    values;
     std::vector<double>                    axial_values;
+    Vector                                 velocity_memory;
 
     /**
      * Adds the shares of one cell at one place, not yet divided by the number
