@@ -696,6 +696,17 @@ namespace ThermoContact
 
 
 
+  std::vector<std::string>
+  Expression::doubts_of_tables() const
+  {
+    std::vector<std::string> doubts;
+    for (const auto &table : tables_)
+      doubts.insert(doubts.end(), table->doubts.begin(), table->doubts.end());
+    return doubts;
+  }
+
+
+
   template double
   Expression::evaluate_part(const unsigned int, const double *) const;
   template NumberJet

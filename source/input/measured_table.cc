@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/measured_table.h>
 #include <thermocontact/input/unit_text.h>
 #include <thermocontact/input/unknown_names.h>
@@ -13,8 +13,10 @@
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <boost/math/interpolators/pchip.hpp>
 // clang-format on
+#include <boost/locale/utf.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <sstream>
 
@@ -40,18 +42,106 @@ namespace ThermoContact
 
 
 
-    /** "time [ms]" as its name and its unit. */
+    /** "time [ms]", "time (ms)" or "time / ms" as its name and its unit. */
     struct Heading
     {
       explicit Heading(const std::string &text)
-        : name(trim(text.substr(0, text.find('['))))
+        : name(text)
       {
-        if (const auto open = text.find('['); open != std::string::npos)
-          unit = trim(text.substr(open + 1, text.find(']') - open - 1));
+        const auto split = [&](const std::size_t name_end,
+                               const std::size_t begin,
+                               const std::size_t end) {
+          name = trim(text.substr(0, name_end));
+          unit = trim(text.substr(begin, end - begin));
+        };
+        const auto open = text.find('['), parenthesis = text.rfind('('),
+                   slash = text.rfind(" / ");
+        if (open != std::string::npos)
+          split(open, open + 1, text.find(']'));
+        // a name may have these signs, too
+        else if (parenthesis != std::string::npos && text.back() == ')' &&
+                 is_unit(
+                   text.substr(parenthesis + 1, text.size() - parenthesis - 2)))
+          split(parenthesis, parenthesis + 1, text.size() - 1);
+        else if (slash != std::string::npos && is_unit(text.substr(slash + 3)))
+          split(slash, slash + 3, text.size());
       }
 
       std::string name, unit;
     };
+
+
+
+    /** A text in UTF-8, from one that may be in Latin-1. */
+    std::string
+    text_in_utf8(const std::string &text)
+    {
+      namespace utf = boost::locale::utf;
+      bool is_utf8  = true;
+      for (auto next = text.begin(); is_utf8 && next != text.end();)
+        {
+          const auto point = utf::utf_traits<char>::decode(next, text.end());
+          is_utf8          = point != utf::illegal && point != utf::incomplete;
+        }
+      if (is_utf8)
+        return text;
+      std::string result;
+      for (const char letter : text)
+        utf::utf_traits<char>::encode(static_cast<unsigned char>(letter),
+                                      std::back_inserter(result));
+      return result;
+    }
+
+
+
+    /** What separates columns, by the line of their names. */
+    char
+    separator_of(const std::string &header)
+    {
+      for (const char separator : {';', '\t'})
+        if (header.find(separator) != std::string::npos)
+          return separator;
+      return ',';
+    }
+
+
+
+    /** The cells of a line, without quotes around them. */
+    std::vector<std::string>
+    split_line(const std::string &line, const char separator)
+    {
+      std::vector<std::string> cells{""};
+      bool                     is_quoted = false;
+      for (const char letter : line)
+        if (letter == '"')
+          is_quoted = !is_quoted;
+        else if (letter == separator && !is_quoted)
+          cells.emplace_back();
+        else
+          cells.back() += letter;
+      for (std::string &cell : cells)
+        cell = trim(cell);
+      if (cells.size() > 1 && cells.back().empty())
+        cells.pop_back(); // a separator at the end
+      return cells;
+    }
+
+
+
+    /** A number, which may have a decimal comma where none separates. */
+    std::optional<double>
+    number_in_cell(std::string cell, const char separator)
+    {
+      if (separator != ',' && cell.find('.') == std::string::npos)
+        std::replace(cell.begin(), cell.end(), ',', '.');
+      return parse_number(cell);
+    }
+
+
+
+    /** Longer than this many of the usual ones a step between rows is a hole.
+     */
+    constexpr double usual_steps_of_hole = 10.;
   } // namespace
 
 
@@ -121,25 +211,37 @@ namespace ThermoContact
   void
   MeasuredTable::read(const std::string &column, const bool has_units)
   {
-    const auto fail = [&](const std::string &fault, const unsigned int line) {
+    const auto fail = [&](const std::string &fault,
+                          const unsigned int line,
+                          const std::string &remedy = "") {
       throw InputError(
         quote(file_name) + (line > 0 ? ", line " + std::to_string(line) : "") +
         ": " + fault +
         "\n  allowed: a table in CSV: a header with the names of "
         "the columns, then numbers, of which those of the first "
-        "column grow");
+        "column grow" +
+        (remedy.empty() ? "" : "\n  remedy:  " + remedy));
     };
-    std::istringstream   text(read_text(file_name));
+    std::string bytes = read_text(file_name, "a table in CSV");
+    if (bytes.find('\0') != std::string::npos)
+      throw InputError(
+        quote(file_name) +
+        ": no text, or one in UTF-16\n  allowed: a table in CSV, "
+        "in UTF-8 or Latin-1\n  remedy:  save it as CSV in UTF-8");
+    if (begins_with(bytes, "\xEF\xBB\xBF"))
+      bytes.erase(0, 3); // some programs mark UTF-8 so
+    std::istringstream   text(text_in_utf8(bytes));
     std::vector<Heading> header;
     unsigned int         n_lines = 0, index = 1;
+    char                 separator = ',';
     for (std::string line; std::getline(text, line);)
       {
         ++n_lines;
-        line = trim(line);
-        if (line.empty() || line[0] == '#')
+        if (trim(line).empty() || trim(line)[0] == '#')
           continue;
-        const std::vector<std::string> cells =
-          dealii::Utilities::split_string_list(line, ',');
+        if (header.empty())
+          separator = separator_of(line);
+        const std::vector<std::string> cells = split_line(line, separator);
         if (header.empty())
           {
             std::vector<std::string> names;
@@ -147,7 +249,7 @@ namespace ThermoContact
               {
                 header.emplace_back(cell);
                 names.push_back(header.back().name);
-                if (parse_number(cell))
+                if (number_in_cell(cell, separator))
                   fail("a number where the names of the columns should stand",
                        n_lines);
                 if (!header.back().unit.empty() && !has_units)
@@ -159,12 +261,25 @@ namespace ThermoContact
               index =
                 std::find(names.begin(), names.end(), column) - names.begin();
             if (index >= header.size())
-              fail(column.empty() ? "one column, where ',' separates columns" :
+              fail(column.empty() ? "one column, where ',', ';' or a tab "
+                                    "separates columns" :
                                     "there is no column '" + quote(column) +
                                       "'" + did_you_mean(column, names),
                    n_lines);
+            for (const unsigned int i : {0u, index})
+              if (!in_base_units(1., header[i].unit))
+                fail("'" + quote(header[i].unit) + "' is no unit of a load",
+                     n_lines,
+                     "a unit that UDUNITS-2 knows, of a time, length, force, "
+                     "pressure, temperature or heat flux; [1] for none");
             unit_of_arguments = header[0].unit;
             unit_of_values    = header[index].unit;
+            for (const unsigned int i : {0u, index})
+              if (has_units && header[i].unit.empty())
+                doubts.push_back(
+                  quote(file_name) + ": column '" + quote(header[i].name) +
+                  "' has no unit, and its numbers count as SI base units; a "
+                  "unit in its header, [1] for none, says that they are right");
             continue;
           }
         if (cells.size() != header.size())
@@ -172,14 +287,14 @@ namespace ThermoContact
                  std::to_string(header.size()) + " names",
                n_lines);
         const auto number_at = [&](const unsigned int i) {
-          const auto number = parse_number(cells[i]);
+          const auto number = number_in_cell(cells[i], separator);
           if (!number)
-            fail("'" + quote(cells[i]) + "' is no number", n_lines);
-          const auto converted = in_base_units(*number, header[i].unit);
-          if (!converted)
-            fail("'" + quote(header[i].unit) + "' is no unit of a load",
-                 n_lines);
-          return *converted;
+            fail("'" + quote(cells[i]) + "' is no number",
+                 n_lines,
+                 "remove the row, of which there is no measurement; numbers "
+                 "have no separators of thousands, and a decimal comma only "
+                 "where ';' or a tab separates columns");
+          return *in_base_units(*number, header[i].unit);
         };
         arguments.push_back(number_at(0));
         values.push_back(number_at(index));
@@ -189,6 +304,31 @@ namespace ThermoContact
       }
     if (arguments.size() < 2)
       fail("fewer than two rows of numbers", 0);
+    doubt_holes();
+  }
+
+
+
+  void
+  MeasuredTable::doubt_holes()
+  {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < arguments.size(); ++i)
+      steps.push_back(arguments[i] - arguments[i - 1]);
+    std::vector<double> sorted(steps);
+    const auto          middle = sorted.begin() + sorted.size() / 2;
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      if (steps[i] > usual_steps_of_hole * *middle)
+        {
+          doubts.push_back(quote(file_name) + ": no row between " +
+                           significant(arguments[i], few_digits) + " and " +
+                           significant(arguments[i + 1], few_digits) +
+                           ", where rows are usually " +
+                           significant(*middle, few_digits) +
+                           " apart: a line joins them");
+          return; // one is enough to look at the file
+        }
   }
 
 

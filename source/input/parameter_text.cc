@@ -311,14 +311,19 @@ namespace ThermoContact
 
 
   std::string
-  read_text(const std::string &file_name)
+  read_text(const std::string &file_name, const std::string &wanted)
   {
-    const bool        is_standard_input = file_name == "-";
+    const bool  is_standard_input = file_name == "-";
+    std::string remedy =
+      "give " + (wanted.empty() ? "a parameter file (.prm)" : wanted);
+    if (std::error_code absent;
+        std::filesystem::exists(file_name + "/used.prm", absent))
+      remedy += ": " + quote(file_name) + "/used.prm is that of its run";
     const std::string place =
       is_standard_input ? "standard input" : quote(file_name);
     std::error_code not_found; // the stream says why
     if (std::filesystem::is_directory(file_name, not_found))
-      fail(place, "is a directory", "give a parameter file (.prm)");
+      fail(place, "is a directory", remedy);
     std::ifstream file;
     if (!is_standard_input)
       file.open(file_name, std::ios::binary);
@@ -338,12 +343,13 @@ namespace ThermoContact
     if (input.bad())
       fail(place, "cannot be read to its end", "check the file and the disk");
     if (text.size() > max_file_size)
-      fail(place, "is larger than 64 MB", "give a parameter file (.prm)");
+      fail(place, "is larger than 64 MB", remedy);
     if (text.find_first_not_of(" \t\r\n\f\v") == std::string::npos)
       fail(place,
            "is empty",
-           "give another file; for the default scene one with a comment, "
-           "e.g. '# defaults'");
+           wanted.empty() ? "give another file; for the default scene one with "
+                            "a comment, e.g. '# defaults'" :
+                            remedy);
     return text;
   }
 

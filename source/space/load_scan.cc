@@ -242,6 +242,9 @@ namespace ThermoContact
     LoadHistory             history;
     const std::vector<Load> loads = loads_in_time<dim>(scene, data);
     for (const Load &load : loads)
+      for (const std::string &doubt : load.expression().doubts_of_tables())
+        warnings.push_back(text(load.expression().path(), ": ", doubt));
+    for (const Load &load : loads)
       for (const double at : {0., time.end_time})
         {
           const double variables[] = {1., 0., 0., at};

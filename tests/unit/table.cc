@@ -94,7 +94,7 @@ main_table()
   print_fault("t [ms],f\n0,1\n1,2\n");
   print_fault("t [ms],f [m^2]\n0,1\n1,2\n", "table(bad.csv, t)", true);
   print_fault("time,force\n0,1\n1,2\n", "table(bad.csv, forse, t)");
-  print_fault("t;f\n0;1\n1;2\n");
+  print_fault("t f\n0 1\n1 2\n");
   print_fault("t,f\n0,1\n1\n");
   print_fault("t,f\n0,1\n1,x\n");
   print_fault("t,f\n0,1\n0,2\n");

@@ -108,6 +108,10 @@ namespace ThermoContact
     std::vector<std::string>
     tables_left(const double *variables) const;
 
+    /** What of its tables a user should look at. */
+    std::vector<std::string>
+    doubts_of_tables() const;
+
     /**
      * @tparam Number double, NumberJet or IntervalJet
      * @param variables one value for each

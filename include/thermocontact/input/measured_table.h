@@ -14,7 +14,8 @@ namespace ThermoContact
   /**
    * A column of a CSV file as a function of its first column: linear between
    * the rows, or a monotone cubic, boost's pchip. Beyond the first and the last
-   * row it has the value there.
+   * row it has the value there. Columns are separated by ',', or by ';' or
+   * tabs, with which numbers may have a decimal comma.
    */
   class MeasuredTable
   {
@@ -45,6 +46,9 @@ namespace ThermoContact
     /** Of the first column and of the values, as the header has them. */
     std::string unit_of_arguments, unit_of_values;
 
+    /** What a user should look at: columns without units, holes. */
+    std::vector<std::string> doubts;
+
     double
     evaluate(const double argument) const;
 
@@ -68,6 +72,10 @@ namespace ThermoContact
 
     void
     read(const std::string &column, const bool has_units);
+
+    /** A step between rows that is much longer than usual is doubted. */
+    void
+    doubt_holes();
   };
 
 

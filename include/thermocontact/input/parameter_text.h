@@ -54,11 +54,12 @@ namespace ThermoContact
   /**
    * The text of a file or of a pipe, "-" for the standard input.
    *
+   * @param wanted what a message asks for: a table; empty: a parameter file
    * @throw InputError if it cannot be opened or read, is a directory, empty, or
    *   larger than any parameter file
    */
   std::string
-  read_text(const std::string &file_name);
+  read_text(const std::string &file_name, const std::string &wanted = "");
 
   /**
    * Reads the statements of a parameter file in deal.II's format: `set`,
