@@ -1,13 +1,13 @@
 // Looks for the words of the box in searchIndex, [address, page, heading, text, words]
 // of each section, paragraph with a run-in heading, table row and class; all words, without
-// their endings, have to begin a word there. What is called as the query comes first.
+// their endings, have to begin a word there. What has no vowel before its ending, as spring, has none. What is called as the query comes first.
 const box = document.getElementById("search");
 const found = document.getElementById("found");
 const escaped = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
 function wordsOf(query) {
   return query.split(/[\s/]+/).filter(Boolean).map((word) => {
-    const begin = word.length > 4 ? word.replace(/(?<!s)(ing|ed|es|s)$/i, "") : word;
+    const begin = word.length > 4 ? word.replace(/(?<=[aeiouy].*)(?<!s)(ing|ed|es|s)$/i, "") : word;
     return new RegExp("(?<![\\p{L}\\p{N}])" + begin.replace(/[.*+?^${}()|[\]\\]/g, "\\$&"), "giu");
   });
 }

@@ -2,8 +2,9 @@
 
 import argparse
 import math
+import re
 
-from plot_common import (fail, in_prefix, in_unit, label_axis, looks, new_figure, plain,
+from plot_common import (PREFIXES, fail, in_prefix, in_unit, label_axis, looks, new_figure, plain,
                          prefix_of, read_rows, title_of, units_of)
 from plot_study import MARKERS, NO_WORD
 
@@ -18,9 +19,14 @@ RESULTS = {"first_contact_time": "time of the first contact",
            "final_temperature_end": r"final temperature  $\theta(1, T)$",
            "reached_state_of_rest": "steady state reached, number",
            "final_contact_force": "final contact force"}
+WARNINGS = ("warnings", "warning_texts")  # behind the results
 WHOLE = ("contact_begins", "reached_state_of_rest")  # no ticks between them
 LEAST_MAP = 4  # values of each of two entries from which on there is a map
 MOST_CURVES = 12  # that can be told apart
+MOST_NUMBERS = 120  # that can be read in the cells of a map
+LEAST_DISTANCE = 0.045  # of ticks, in lengths of an axis
+SHORT = {"peak force": "max_contact_force", "peak penetration": "max_penetration",
+         "impulse": "contact_impulse"}  # as on the screen
 
 
 def number(word):
@@ -41,8 +47,9 @@ def read_sweep(path):
         units=units_of(comments, header),
         varied=header[header.index("run") + 1:header.index("status")],
         n_runs=len(runs), runs=done,
-        results=[name for name in header[header.index("final_error_energy") + 1:] if any(
-            not math.isnan(number(run[name])) for run in done)])
+        results=[name for name in header[header.index("final_error_energy") + 1:]
+                 if name not in WARNINGS and any(
+                     not math.isnan(number(run[name])) for run in done)])
 
 
 def numeric(sweep):
@@ -75,8 +82,8 @@ def scale_of(values):
 
 def value_of(sweep, name, run):
     """A varied entry of a run, as text."""
-    unit = sweep.units.get(name)
-    return in_prefix(number(run[name]), unit) if unit else run[name]
+    unit, value = sweep.units.get(name), number(run[name])
+    return run[name] if not unit or math.isnan(value) else in_prefix(value, unit)
 
 
 def curves_of(sweep, axis):
@@ -119,7 +126,7 @@ def differs(sweep, result):
     return max(values) - min(values) > 1e-6 * max(map(abs, values))
 
 
-def draw_curves(figure, sweep, results, axis):
+def draw_curves(figure, sweep, results, axis, limits):
     curves = curves_of(sweep, axis)
     if len(curves) > MOST_CURVES:
         fail(sweep.path, f"{len(curves)} curves cannot be told apart",
@@ -141,6 +148,8 @@ def draw_curves(figure, sweep, results, axis):
         panel.set_xscale(scale_of([number(run[axis]) for run in sweep.runs]))
         label_entry(panel.xaxis, sweep, axis)
         label_numbers(panel.yaxis, RESULTS.get(name, name), sweep, name)
+        for _, _, value in (limit for limit in limits if limit[0] == name):
+            panel.axhline(value, color="0.5", linewidth=1, zorder=1)
         if ticks := whole_numbers(name):
             panel.yaxis.set_major_locator(ticks)
     legend = figure.add_subplot(grid[rows, :])
@@ -150,31 +159,70 @@ def draw_curves(figure, sweep, results, axis):
                       loc="upper center", borderaxespad=0, fontsize=10)
 
 
-def draw_maps(figure, sweep, results, axes):
-    """A map over two entries, a cell of equal size for each pair of values; what
-    is missing is white."""
+def edges_of(values, scale):
+    """The ends of cells around these numbers, half way between them."""
+    at = [math.log(value) for value in values] if scale == "log" else values
+    middles = [(a + b) / 2 for a, b in zip(at, at[1:])]
+    edges = [2 * at[0] - middles[0], *middles, 2 * at[-1] - middles[-1]]
+    return [math.exp(edge) for edge in edges] if scale == "log" else edges
+
+
+def apart(values, scale):
+    """The places of those of these numbers whose ticks do not touch each other."""
+    at = [math.log(value) for value in values] if scale == "log" else values
+    shown = []
+    for i, place in enumerate(at):
+        if not shown or place - at[shown[-1]] > LEAST_DISTANCE * (at[-1] - at[0]):
+            shown.append(i)
+    return shown
+
+
+def draw_cells(panel, sweep, name, axes, limits):
+    """The cells of a map with their numbers; those outside of the limits are hatched."""
+    from matplotlib.patches import Rectangle
+    xs, ys = (sorted({number(run[entry]) for run in sweep.runs}) for entry in axes)
+    x_edges, y_edges = (edges_of(values, scale_of(values)) for values in (xs, ys))
+    values = [[math.nan] * len(xs) for _ in ys]
+    places = {}
+    for run in sweep.runs:
+        i, j = xs.index(number(run[axes[0]])), ys.index(number(run[axes[1]]))
+        values[j][i] = number(run[name])
+        places[i, j] = run
+    cells = panel.pcolormesh(x_edges, y_edges, values, cmap="viridis", rasterized=True)
+    panel.set_xscale(scale_of(xs))
+    panel.set_yscale(scale_of(ys))
+    panel.grid(False)
+    power = prefix_of(sweep.units.get(name), [v for row in values for v in row])[1]
+    for (i, j), run in places.items():
+        if not within(run, limits):
+            panel.add_patch(Rectangle(
+                (x_edges[i], y_edges[j]), x_edges[i + 1] - x_edges[i],
+                y_edges[j + 1] - y_edges[j], fill=False, hatch="///", linewidth=0, edgecolor="0.6"))
+        if len(places) <= MOST_NUMBERS and not math.isnan(values[j][i]):
+            panel.text(xs[i], ys[j], f"{values[j][i] / 10.**power:.3g}", ha="center", va="center",
+                       fontsize=6, color="black" if cells.norm(values[j][i]) > 0.6 else "white")
+    return cells
+
+
+def draw_maps(figure, sweep, results, axes, limits):
+    """A map over two entries, a cell around each pair of values; what is missing is white."""
     xs, ys = (sorted({run[name] for run in sweep.runs}, key=number)
               for name in axes)
     columns = columns_of(results, True)
     rows = math.ceil(len(results) / columns)
     panels = figure.subplots(rows, columns, squeeze=False)
     for k, (panel, name) in enumerate(zip(panels.flat, results)):
-        values = [[math.nan] * len(xs) for _ in ys]
-        for run in sweep.runs:
-            values[ys.index(run[axes[1]])][xs.index(run[axes[0]])] = number(
-                run[name])
-        cells = panel.pcolormesh(range(len(xs)), range(len(ys)), values,
-                                 shading="nearest", cmap="viridis",
-                                 rasterized=True)
-        panel.grid(False)
+        cells = draw_cells(panel, sweep, name, axes, limits)
         for axis, entry, words, is_labelled in (
                 (panel.xaxis, axes[0], xs, k + columns >= len(results)),
                 (panel.yaxis, axes[1], ys, k % columns == 0)):
-            unit, shown = sweep.units.get(entry), range(0, len(words), 1 + len(words) // 20)
-            prefix, power = prefix_of(unit, [number(words[len(words) // 2])])
-            axis.set_ticks(shown, [f"{number(words[i]) / 10.**power:g}" if power else words[i]
-                                   for i in shown],
+            unit, numbers = sweep.units.get(entry), [number(word) for word in words]
+            shown = apart(numbers, axis.get_scale())
+            prefix, power = prefix_of(unit, [numbers[len(numbers) // 2]])
+            axis.set_ticks([numbers[i] for i in shown],
+                           [f"{numbers[i] / 10.**power:g}" if power else words[i] for i in shown],
                            rotation=90 * (axis is panel.xaxis and len(xs) > 6))
+            axis.set_ticks([], minor=True)
             if is_labelled:
                 axis.set_label_text(in_unit(entry.split("/")[-1].lower(),
                                             prefix + unit if unit else None))
@@ -193,9 +241,45 @@ def columns_of(results, as_map):
     return n if n < 3 else 2 if n % 2 == 0 and (n % 3 or n == 4) and as_map else 3
 
 
-def draw(path, result):
-    """result: one key result; None: all that differ between runs."""
+def read_limit(text, sweep):
+    """(result, sign, number in the unit of its column) of "peak force < 60 kN"."""
+    parts = re.fullmatch(r"\s*(.+?)\s*([<>])=?\s*(\S+)\s*(.*?)\s*", text)
+    names = {**{key.replace("_", " "): key for key in sweep.results},
+             **{re.sub(r"\s*\$.*?\$", "", label): key for key, label in RESULTS.items()},
+             **SHORT, **{key: key for key in sweep.results}}
+    if not parts or math.isnan(number(parts[3])):
+        fail(sweep.path, f"--limit {text}: no limit", "write 'max_contact_force < 60 kN'")
+    name = names.get(parts[1])
+    if name not in sweep.results:
+        fail(sweep.path, f"--limit {text}: no result {parts[1]}", f"take one of {', '.join(sweep.results)}")
+    unit = sweep.units.get(name, "")
+    factors = {unit: 1., "": 1., **{prefix + unit: 10.**(3 * i - 12) for i, prefix in
+                                    [*enumerate(PREFIXES), (2, "u")] if unit}}
+    if parts[4] not in factors:
+        fail(sweep.path, f"--limit {text}: {name} is " + (f"in {unit}" if unit else "a number"),
+             "write a number in it, perhaps with a prefix")
+    return name, parts[2], number(parts[3]) * factors[parts[4]]
+
+
+def within(run, limits):
+    return all(number(run[name]) < value if sign == "<" else number(run[name]) > value
+               for name, sign, value in limits)
+
+
+def runs_within(path, texts):
+    """What is told of the runs that keep all limits."""
     sweep = read_sweep(path)
+    limits = [read_limit(text, sweep) for text in texts]
+    good = [run for run in sweep.runs if within(run, limits)]
+    return "\n".join([f"{len(good)} of {sweep.n_runs} runs within {', '.join(texts)}", *(
+        f"  run {run['run']}: " + ", ".join(f"{name} = {value_of(sweep, name, run)}"
+                                           for name in sweep.varied) for run in good)])
+
+
+def draw(path, result, limits=()):
+    """result: one key result; None: all that differ between runs. limits: texts."""
+    sweep = read_sweep(path)
+    limits = [read_limit(text, sweep) for text in limits]
     names = numeric(sweep)
     if not names:
         fail(path, "no varied entry has several values that are numbers, of "
@@ -213,7 +297,7 @@ def draw(path, result):
         f"\n{left_out} of {sweep.n_runs} runs failed: not drawn"
         if left_out else ""))
     if as_map:
-        draw_maps(figure, sweep, results, names[:2])
+        draw_maps(figure, sweep, results, names[:2], limits)
     else:
-        draw_curves(figure, sweep, results, names[0])
+        draw_curves(figure, sweep, results, names[0], limits)
     return figure

@@ -28,11 +28,12 @@ WORDS = {"restart": "how-to", "sweep": "how-to", "damping": "parameters", "toler
          "thermal switch": "gallery", "gravity": "scope", "Gmsh": "scope", "spring": "scope", "mass": "scope",
          "temperature-dependent": "scope", "two materials": "scope", "free rod": "scope",
          "plasticity": "scope", "large deformation": "scope", "limitations": "scope", "adhesion": "scope"}
-FIRST = """
+WHOLE = ("spring", "string")  # what is found has all of the word, not its first letters alone
+HITS = """
 const fs = require("fs"), folder = process.argv[1], [,, ...queries] = process.argv;
 const document = {getElementById: () => ({addEventListener() {}})};
 eval(["search-index.js", "search.js"].map((name) => fs.readFileSync(folder + "/" + name, "utf8")).join("")
-  + ";for (const query of queries) console.log(hitsOf(query)[0][1][0])");
+  + ";for (const query of queries) console.log(JSON.stringify(hitsOf(query).map((hit) => hit[1])))");
 """
 
 project = Path(sys.argv[1]).resolve()
@@ -59,10 +60,13 @@ with tempfile.TemporaryDirectory() as folder:
                    for entry in index):
             faults.append(f"the search does not find {words}")
     if shutil.which("node"):
-        first = subprocess.run(["node", "-e", FIRST, site, *WORDS], check=True, text=True,
-                               stdout=subprocess.PIPE).stdout.split()
-        faults += [f"{words}: {place} comes first, not {page}.html" for (words, page), place in
-                   zip(WORDS.items(), first) if not place.startswith(page + ".html")]
+        hits = [json.loads(line) for line in subprocess.run(
+            ["node", "-e", HITS, site, *WORDS, *WHOLE], check=True, text=True,
+            stdout=subprocess.PIPE).stdout.splitlines()]
+        faults += [f"{words}: {found[0][0]} comes first, not {page}.html" for (words, page), found in
+                   zip(WORDS.items(), hits) if not found[0][0].startswith(page + ".html")]
+        faults += [f"{word}: {place} is found" for word, found in zip(WHOLE, hits[len(WORDS):])
+                   for place, *texts in found if word not in " ".join(texts).lower()]
 print(f"{len(index)} places, {len(WORDS)} words looked for")
 print("\n".join(faults))
 sys.exit(1 if status or faults else 0)

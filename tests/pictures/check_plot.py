@@ -11,8 +11,11 @@ row as a killed run leaves it, temperature alone. What cannot be drawn is refuse
 Exit status 77, "skipped", without matplotlib.
 """
 import contextlib
+import html
 import io
+import json
 import re
+import shutil
 import struct
 import sys
 from pathlib import Path
@@ -195,6 +198,13 @@ def check_files(plot):
         figures = drawings.figures_of(plot, *arguments)
         check(f"pictures: {name}", sorted(figures) == sorted(expected), str(list(figures)))
     plot = drawings.load("plot")
+    told = io.StringIO()
+    before, sys.argv = sys.argv, ["plot", "killed", "heat", "--figure", "decay", "--dpi", "20"]
+    with contextlib.redirect_stdout(told):
+        plot.main()
+    sys.argv = before
+    check("several runs leave the pictures of the first one", told.getvalue() ==
+          "wrote killed/decay-with-heat.png\n", told.getvalue())
     sizes = {}
     for name in ("40.png", "80.png", "one.svg", "one.pdf"):
         dpi = name.partition(".")[0] if name.endswith("png") else "40"
@@ -208,6 +218,62 @@ def check_files(plot):
         sizes[name] = struct.unpack(">2I", data[16:24])
     check("dots per inch", sizes["80.png"] == tuple(
         2 * n for n in sizes["40.png"]), str(sizes))
+
+
+REPORT = {  # key of summary.json: its words and cells
+    "first_contact_time": (0.25, ["first contact", "0.25", "0.0013", "", "0.26", ""]),
+    "contact_begins": (3, ["number of contacts", "3", "", "", "", ""]),
+    "contact_duration": (0.125, ["time in contact", "0.125", "", "", "", ""]),
+    "max_contact_force": (12345.678, ["largest contact force", "12.3457", "0.12", "1.2", "", "kN"]),
+    "max_penetration": (2.5e-5, ["largest penetration", "25", "", "", "", "µm"]),
+    "contact_impulse": (None, None),
+    "restitution": (0.5, ["coefficient of restitution", "0.5", "", "", "", ""]),
+    "final_displacement_end": (0.0015, ["final displacement of the end", "1.5", "", "", "1.4", "mm"]),
+    "final_contact_force": (0., ["final contact force", "0", "", "", "7", "N"]),
+    "final_temperature_end": (80., ["final temperature of the end", "80", "", "", "79", "°C"]),
+    "final_energy": (-2e-3, ["final energy", "-2", "", "", "", "mJ"])}
+
+
+def check_report():
+    """The page of a run whose summary is made by hand: each result with its bars, forecast
+    and unit, each warning, a picture each, all entries; without summary none."""
+    shutil.copytree("controlled", "told")
+    summary = json.loads(Path("told/summary.json").read_text())
+    summary.update({key: value for key, (value, _) in REPORT.items()})
+    summary.update({"title": "a < b", "warnings": ["one & two", "three"],
+                    "units": {"max_contact_force": "N", "max_penetration": "m", "final_energy": "J",
+                              "final_displacement_end": "m", "final_contact_force": "N",
+                              "final_temperature_end": "°C"},
+                    "first_contact_time_time_error": 0.00125, "max_contact_force_time_error": 123.4,
+                    "max_contact_force_space_error": 1234., "first_contact_time_space_error": None,
+                    "predicted_first_contact_time": 0.26, "predicted_displacement_end": 0.0014,
+                    "predicted_contact_force": 7., "predicted_temperature_end": 79.})
+    Path("told/summary.json").write_text(json.dumps(summary))
+    plot, printed = drawings.load("plot"), io.StringIO()
+    before, sys.argv = sys.argv, ["plot", "--report", "told"]
+    with contextlib.redirect_stdout(printed):
+        plot.main()
+    sys.argv = before
+    page = Path("told/report.html").read_text(encoding="utf-8")
+    rows = [[html.unescape(cell) for cell in re.findall("<t[dh]>(.*?)</t[dh]>", row)]
+            for row in re.findall("<tr>(.*?)</tr>", page)]
+    check("report: results", rows == [
+        ["", "value", "± by the steps", "± by the mesh", "predicted", "unit"],
+        *(cells for _, cells in REPORT.values() if cells)], str(rows))
+    check("report: warnings", re.findall('<p class="warning">(.*?)</p>', page) == [
+        "one &amp; two", "three"])
+    check("report: title", re.findall("<(?:title|h1)>(.*?)<", page) == ["a &lt; b"] * 2)
+    check("report: pictures", re.findall('<img alt="(.*?)" src="data:image/png;base64,iVBOR', page) == [
+        "figure", "contact", "energy", "steps", "probes"])
+    entries = html.unescape(page.partition("used.prm</summary><pre>")[2].partition("</pre>")[0])
+    check("report: entries", {"Dimension = 1", "Mesh/Cells = 4", "Time/Scheme = sdirk4",
+                              "Contact/Gap = 0.1"} <= set(entries.splitlines()), entries)
+    check("report: the scene", "  body      rod of length 1, 4 cells of degree 4" in
+          html.unescape(page.partition("<pre>")[2].partition("</pre>")[0]).splitlines())
+    check("report: where", printed.getvalue() == "wrote told/report.html\n", printed.getvalue())
+    Path("told/summary.json").unlink()
+    check_refused(plot, "a report of a run that goes on", ["a report needs a run that has ended"],
+                  "--report", "told")
 
 
 def check_refusals(plot):
@@ -248,6 +314,7 @@ def main():
     check_other_tables(plot)
     check_two_obstacles(plot)
     check_files(plot)
+    check_report()
     check_refusals(plot)
 
 

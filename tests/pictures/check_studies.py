@@ -9,6 +9,8 @@ points of each period; each is compared with the columns that the labels name, o
 the runs that the legend names. Known by hand: which runs belong to a curve, which
 are not drawn. Exit status 77, "skipped", without matplotlib.
 """
+import contextlib
+import io
 import sys
 from pathlib import Path
 
@@ -114,8 +116,10 @@ def check_errors(plot, header):
 
 def check_results(plot, header):
     """Curves of results over the gap, and maps over gap and compliance."""
-    check("every result has a label", header[-len(RESULTS):] == list(
-        RESULTS.values()) == list(plot.plot_sweep.RESULTS))
+    first = header.index("first_contact_time")
+    check("every result has a label", header[first:] == [
+        *RESULTS.values(), *plot.plot_sweep.WARNINGS] and
+        list(RESULTS.values()) == list(plot.plot_sweep.RESULTS))
     without = [(name, i, "nan") for name in header if "error_" in name for i in range(6)]
     table = make_study("curves", header, {
         "Contact/Condition": ["rigid"] * 3 + ["normal compliance"] * 3,
@@ -151,6 +155,37 @@ def check_results(plot, header):
         RESULTS) and {panel.get_xlabel() for panel in panels} == {
             "", "compliance [of Contact/Compliance]"} and {
                 panel.get_ylabel() for panel in panels} == {"", "gap [of Contact/Gap]"})
+    check_limits(plot, table, xs, ys)
+
+
+def check_limits(plot, table, xs, ys):
+    """Cells end half way between their values, with ratios where these are 30 or more; in each
+    is its number; a limit hatches the cells of other runs and lists its own."""
+    forces = table["max_contact_force"]
+    limit = forces[12]  # grows with the number of the run
+    told = io.StringIO()
+    with contextlib.redirect_stdout(told):
+        figure = drawings.figures_of(plot, "map", "--limit", f"peak force < {limit} of max_contact_force",
+                                     "--limit", "restitution > 0")["results"]
+    panel = next(axes for axes in figure.axes if "largest contact force" in axes.get_title())
+    edges = panel.collections[0].get_coordinates()
+    check("cells end half way", numpy.allclose(
+        edges[0, :, 0], [10**(n - 2.5) for n in range(6)]) and numpy.allclose(
+            edges[:, 0, 1], [0.05, 0.15, 0.25, 0.35, 0.45]), str(edges[0, :, 0]))
+    check("numbers in cells", sorted(text.get_text() for text in panel.texts) == sorted(
+        f"{force:.3g}" for force in forces))
+    outside = {(float(x), float(y)) for x, y, force in zip(xs, ys, forces) if force >= limit}
+    hatched = {(round((patch.get_x() * (patch.get_x() + patch.get_width()))**0.5, 9),
+                round(patch.get_y() + 0.05, 9)) for patch in panel.patches if patch.get_hatch()}
+    check("hatched", hatched == outside and len(outside) == 8, str(hatched))
+    lines = [f"12 of 20 runs within peak force < {limit} of max_contact_force, restitution > 0"]
+    lines += [f"  run {i}: Contact/Compliance = {float(xs[i]):g} of Contact/Compliance, "
+              f"Contact/Gap = {float(ys[i]):g} of Contact/Gap" for i in range(12)]
+    check("runs within a limit", told.getvalue().splitlines() == lines, told.getvalue())
+    for text, words in (("force < 1", ["no result force", "max_contact_force"]),
+                        ("restitution", ["no limit"]),
+                        ("max_contact_force < 1 kg", ["is in of max_contact_force"])):
+        check_refused(plot, f"limit {text}", words, "map", "--limit", text)
 
 
 def check_bifurcation(plot, header):
