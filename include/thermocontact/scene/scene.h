@@ -106,13 +106,13 @@ namespace ThermoContact
   {
     std::unique_ptr<const HeatExchange> exchange;
 
-    /** $\theta_A$; of one that varies that at $t=0$. */
+    /** $\theta_A$; if it varies, its value at $t=0$. */
     double fixed_end_temperature;
 
-    /** $\theta_A(t)$ of one that varies; else null. */
+    /** $\theta_A(t)$ if it varies; else null. */
     std::unique_ptr<const TimeFunction> fixed_end_drive;
 
-    /** $\theta_{obs}$; of one that varies that at $t=0$ and $y=z=0$. */
+    /** $\theta_{obs}$; if it varies, its value at $t=0$, $y=z=0$. */
     double obstacle_temperature;
 
     /** $\theta_{obs}$ of the coordinates and t if it is no number; else null.

@@ -58,8 +58,8 @@ namespace ThermoContact
     /**
      * Takes the quantities of the present state into the largest so far.
      *
-     * @param gap_rate $g'$ of a rod there; NaN: it has two, of which either
-     *   holds on one side
+     * @param gap_rate velocity $g'$ of the obstacle of a rod; NaN where it
+     *   jumps, so that the force has no single rate
      */
     void
     add_maxima(const Scene &scene, const double gap_rate);
