@@ -205,7 +205,7 @@ namespace ThermoContact
           if (parameters.study.is_active() && !command.prints_scene)
             return run_sweep(request, log);
           const Scene scene(parameters);
-          check_unused_entries(scene, request.prm);
+          check_unused_entries(scene, request.assignments, request.prm);
           check_scene(scene);
           if (command.prints_scene)
             return print_scene(request);

@@ -27,7 +27,10 @@
 #include <thermocontact/space/problem_data.h>
 #include <thermocontact/study/error_bars.h>
 
+#include <unistd.h>
+
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 
@@ -301,11 +304,39 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /**
+     * The words that started the ranks, with a blank behind them: what stands
+     * before the program on the command line of the parent process, if that is
+     * an mpirun, which knows what the machine needs, as the leave of root.
+     */
+    std::string
+    launcher(const std::string &program, const unsigned int n_ranks)
+    {
+      std::ifstream file(text("/proc/", getppid(), "/cmdline"));
+      std::string   words, first;
+      for (std::string word; std::getline(file, word, '\0');)
+        {
+          if (first.empty())
+            first = std::filesystem::path(word).filename();
+          if (word == program &&
+              (begins_with(first, "mpirun") || begins_with(first, "mpiexec") ||
+               begins_with(first, "prterun")))
+            return words;
+          words += for_shell(word) + ' ';
+        }
+      return text("mpirun -n ", n_ranks, ' ');
+    }
+  } // namespace
+
+
+
   std::string
   Request::resume_command(const MPI_Comm communicator) const
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    return (n_ranks > 1 ? text("mpirun -n ", n_ranks, ' ') : "") +
+    return (n_ranks > 1 ? launcher(command.program_name, n_ranks) : "") +
            for_shell(command.program_name) + " --resume " +
            for_shell(output_directory() + "/used.prm");
   }

@@ -68,7 +68,7 @@ read_parameters(const std::string              &name,
   // together: the variables of one follow from others
   ThermoContact::assign_entries(assignments, prm, parameters);
   const ThermoContact::Scene scene(parameters);
-  check_unused_entries(scene, prm);
+  check_unused_entries(scene, assignments, prm);
   check_scene(scene);
   return parameters;
 }

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/input/command_line.h>
+#include <thermocontact/input/unknown_names.h>
 
 #include <getopt.h>
 
@@ -75,6 +76,17 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
 
 
 
+    std::vector<std::string>
+    names_of_options()
+    {
+      std::vector<std::string> names;
+      for (const Option &one : all_options)
+        names.push_back(std::string("--") + one.name);
+      return names;
+    }
+
+
+
     /**
      * @param option its number in all_options, from 1, or getopt_long()'s sign
      * @param argument of the option, or null
@@ -91,7 +103,8 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       if (option < 1 || option > n_options)
         refuse_argument(word,
                         word.compare(0, 2, "--") == 0 ?
-                          "unknown or ambiguous option" :
+                          "unknown or ambiguous option" +
+                            did_you_mean(word, names_of_options()) :
                           "no option; a file of that name is ./" + word);
       const auto &[name, has_argument, flag] = all_options[option - 1];
       if (has_argument == no_argument)

@@ -155,4 +155,15 @@ namespace ThermoContact
       }
     return dealii::Utilities::trim(pattern);
   }
+
+
+
+  std::string
+  describe_allowed(const DeclaredEntry &entry)
+  {
+    for (const ContactLawEntry &one : contact_law_entries())
+      if (one.is_positive && entry.path == "Contact/" + one.name)
+        return text("a positive number up to ", one.largest);
+    return describe_pattern(entry.pattern);
+  }
 } // namespace ThermoContact

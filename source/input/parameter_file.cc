@@ -33,7 +33,7 @@ namespace ThermoContact
 
   namespace
   {
-    /** Whether it is one to an entry of the program. */
+    /** Whether the assignment is to an entry of the program. */
     bool
     is_of_program(const Assignment &assignment)
     {
@@ -109,7 +109,7 @@ namespace ThermoContact
     {
       const DeclaredEntry &entry   = entry_of_program(assignment.path);
       const std::string   &value   = assignment.value;
-      const std::string    allowed = describe_pattern(entry.pattern);
+      const std::string    allowed = describe_allowed(entry);
       std::string          fault   = assignment.path + " = " + quote(value);
       if (is_of_numbers(entry))
         {
@@ -321,8 +321,9 @@ namespace ThermoContact
     };
     std::string place, reason;
     for (const Assignment &assignment : assignments)
-      if (begins_with(message, assignment.place + ": "))
-        return message; // complete
+      if (begins_with(message, assignment.place + ": ") ||
+          message.find('\n' + assignment.place + ": ") != std::string::npos)
+        return message; // complete, or several that are
       else if (is_about(assignment.path))
         place = assignment.place + ": ";
       else if (reason.empty() && !assignment.is_section() &&

@@ -34,7 +34,7 @@ namespace ThermoContact
     std::string
     allowed_values(const DeclaredEntry &entry)
     {
-      const std::string words = describe_pattern(entry.pattern);
+      const std::string words = describe_allowed(entry);
       if (words.find(" | ") == std::string::npos)
         return escape(words);
       std::string list;

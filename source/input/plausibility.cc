@@ -17,6 +17,9 @@ namespace ThermoContact
       std::string unit;
     };
 
+    /** Of the length of the rod: what closes it is no small strain. */
+    constexpr double widest_gap = 0.1;
+
     // softer than rubber, heavier than osmium, colder than any rod but in a
     // cryostat
     const Range ranges[] = {
@@ -58,6 +61,25 @@ namespace ThermoContact
                            ' ' + range.unit +
                            "? With its unit it is not doubted");
       }
+    const auto in_metres = [&](const std::string &path) {
+      const Assignment *const last = last_assignment(assignments, path);
+      const auto split = last ? split_unit(last->value) : std::nullopt;
+      return !split ?
+               nan :
+             split->unit.empty() ?
+               split->number :
+               convert_unit(split->number, split->unit, "m").value_or(nan);
+    };
+    const double length = in_metres("Rod/Length");
+    for (const std::string path : {"Contact/Gap", "Contact/Rear gap"})
+      if (const double gap = in_metres(path); gap > widest_gap * length)
+        doubts.push_back(text(path,
+                              " = ",
+                              last_assignment(assignments, path)->value,
+                              ": that is ",
+                              significant(100. * gap / length, 2),
+                              " % of Rod/Length, and the model is one of small "
+                              "strains"));
     return doubts;
   }
 } // namespace ThermoContact

@@ -211,8 +211,8 @@ namespace ThermoContact
       const DeclaredEntry &entry = entry_of_program(path);
       if (!given(path))
         faults.push_back(
-          path + " is not given\n  allowed: " +
-          describe_pattern(entry.pattern) + "\n  meaning: " + entry.text +
+          path + " is not given\n  allowed: " + describe_allowed(entry) +
+          "\n  meaning: " + entry.text +
           "\n  remedy:  give it: a scene in SI units has no default of it");
       else if (is_positive && !(number(path) > 0.))
         faults.push_back(path + " = " + *given(path) +

@@ -130,11 +130,11 @@ namespace ThermoContact
     } results[] = {
       {"first_contact_time", true, first_contact_time},
       {"contact_begins", false, contact_begins},
-      {"contact_duration", false, contact_duration},
+      {"contact_duration", true, contact_duration},
       {"max_contact_force", true, over_steps<&RunHistory::max_contact_force>},
       {"max_penetration", true, over_steps<&RunHistory::max_penetration>},
       {"contact_impulse", true, at_end<&StepRecord::contact_impulse>},
-      {"restitution", false, restitution},
+      {"restitution", true, restitution},
       {"final_displacement_end", true, at_end<&StepRecord::displacement_end>},
       {"final_temperature_end", true, at_end<&StepRecord::temperature_end>},
       {"reached_state_of_rest", false, reached_state},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/output/output_units.h>
 #include <thermocontact/report/result_report.h>
 #include <thermocontact/report/scene_report.h>
@@ -16,6 +17,9 @@ namespace ThermoContact
   {
     // More than this of the energy is more than engineers leave to a scheme.
     constexpr double largest_numerical_part = 0.05;
+
+    /** At which most metals yield: pressure over modulus. */
+    constexpr double yield_strain = 1e-3;
 
     /** Of the time of the first impact, by a run on a few cells. */
     constexpr double largest_forecast_error = 0.05;
@@ -89,9 +93,15 @@ namespace ThermoContact
                     const double       initial_energy,
                     const OutputUnits &units)
     {
-      const auto in = [&units](const double       energy,
-                               const unsigned int digits = few_digits) {
-        return units.text("energy", energy, digits);
+      const double rounding =
+        Tolerances::rounding_of_data * std::max({std::abs(initial_energy),
+                                                 std::abs(record.energy),
+                                                 std::abs(record.work)});
+      const auto in = [&](const double       energy,
+                          const unsigned int digits = few_digits) {
+        return units.text("energy",
+                          std::abs(energy) > rounding ? energy : 0.,
+                          digits);
       };
       const double defect = initial_energy - starting_energy(record);
       return in(initial_energy) + " at first + work " + in(record.work) +
@@ -222,6 +232,10 @@ namespace ThermoContact
     const OutputUnits units(scene.parameters);
     if (scene.contact.law->is_active())
       log.line("  contact   " + describe_contact(scene, history));
+    if (units.is_si() && history.max_contact_force > yield_strain)
+      log.line("  doubt     the peak force is a strain of " +
+               significant(history.max_contact_force, 2) +
+               ": most metals yield there, and the model does not");
     log.line("  final     " +
              describe_steady_state(final_state(record), scene));
     if (const auto &rest = forecast.rest.states; !rest.empty())

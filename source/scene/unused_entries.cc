@@ -195,16 +195,24 @@ namespace ThermoContact
 
 
   void
-  check_unused_entries(const Scene &scene, const ParameterHandler &prm)
+  check_unused_entries(const Scene                   &scene,
+                       const std::vector<Assignment> &assignments,
+                       const ParameterHandler        &prm)
   {
     const std::vector<DeclaredEntry> entries = declared_entries(prm);
+    std::vector<std::string>         faults;
+    std::set<std::string>            told; // one reason is enough
     for (const UnusedEntry &unused : unused_entries(scene))
       for (const DeclaredEntry &entry : entries)
         if (entry.path == unused.path &&
-            !equal_values(entry.value, entry.default_value))
-          throw InputError(entry.path + " = " + quote(entry.value) +
-                           " has no effect, since " + unused.reason +
-                           "\n  remedy:  remove the entry or change " +
-                           unused.reason.substr(0, unused.reason.find(" =")));
+            !equal_values(entry.value, entry.default_value) &&
+            told.insert(entry.path).second)
+          faults.push_back(complete_message(
+            entry.path + " = " + quote(entry.value) + " has no effect, since " +
+              unused.reason + "\n  remedy:  remove the entry or change " +
+              unused.reason.substr(0, unused.reason.find(" =")),
+            assignments,
+            prm));
+    throw_faults(faults);
   }
 } // namespace ThermoContact

@@ -20,19 +20,20 @@ namespace ThermoContact
   namespace
   {
     /**
-     * The entry that a set of combinations refines: the last of those in whose
-     * powers errors fall that has several values, all of them numbers. Empty
-     * if there is none.
+     * The entry that a set of runs refines. Errors fall in powers of step
+     * size, tolerance and number of cells; of these entries the last one that
+     * has several values, all of them numbers. Empty: there is none.
      */
     std::string
-    refined_entry(const StudyPlan &plan, const std::vector<unsigned int> &runs)
+    refined_entry(const StudyTable                &study,
+                  const std::vector<unsigned int> &runs)
     {
-      std::map<std::string, std::set<std::string>> values;
+      std::map<std::string, std::set<std::string>> values; // without units
       for (const unsigned int run : runs)
-        for (const auto &[path, value] : plan.overrides(run))
-          values[path].insert(value);
+        for (const auto &[path, value] : study.plan.overrides(run))
+          values[path].insert(study.words(run, path));
       std::string refined;
-      for (const std::string &path : plan.varied)
+      for (const std::string &path : study.plan.varied)
         if ((path == "Time/Step size" || path == "Time/Tolerance" ||
              path == "Mesh/Cells") &&
             values[path].size() > 1 &&
@@ -128,7 +129,7 @@ namespace ThermoContact
           for (unsigned int run = 0; run < study.plan.n_runs(); ++run)
             if (study.plan.set_of(run) == set)
               of_set.push_back(run);
-          const std::string refined = refined_entry(study.plan, of_set);
+          const std::string refined = refined_entry(study, of_set);
           for (const auto &[name, runs] : group(study.plan, of_set, refined))
             {
               text << (name.empty() ? "scene of the file" : name) << '\n';
@@ -224,12 +225,11 @@ namespace ThermoContact
     {
       std::vector<std::string> lines;
       for (const RepeatedWarning &warning : repeated_warnings(study))
-        lines.push_back(describe_runs(warning.runs) + ": " + warning.text +
-                        (warning.is_same ?
-                           "" :
-                           text(" (the numbers of run ",
-                                warning.runs.front(),
-                                "; the other runs have others)")));
+        lines.push_back(
+          describe_runs(warning.runs) + ": " + warning.text +
+          (warning.is_same ?
+             "" :
+             text(" (numbers of run ", warning.runs.front(), ")")));
       return lines;
     }
 

@@ -14,7 +14,7 @@ from program import for_all, run, settings  # noqa: E402
 
 SCENE = Path(__file__).with_name("error_bars.prm")
 KEYS = ("first_contact_time", "max_contact_force", "max_penetration", "contact_impulse",
-        "final_displacement_end", "final_temperature_end")
+        "final_displacement_end", "final_temperature_end", "contact_duration", "restitution")
 PEAKS = {"max_contact_force": "contact_force", "max_penetration": "penetration"}
 MOTION = ("Model/Fields=displacement", "Model/Viscosity=0", "Contact/Condition=rigid",
           "Initial values/Velocity=x", "Time/Scheme=energy conserving")

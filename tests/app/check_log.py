@@ -57,8 +57,12 @@ def expected_lines(run):
     if last.get("lateral_dissipation"):  # the part of the dissipation behind it
         shown.insert(2, last["lateral_dissipation"])
     left = last.get("algebraic", 0)  # by the iterative solver
-    yield "energy", "", [(value, SIX, 0) for value in (first, last["work"], *shown)] + [
-        (left, TWO, 0)] * int(left != 0) + [(first + last["work"] + left - sum(parts), TWO,
+    rounding = 1e-12 * max(abs(first), abs(last["work"]), abs(last["energy"]))
+    defect = first + last["work"] + left - sum(parts)
+    first_shown, work, *shown, left_shown, defect = (value if abs(value) > rounding else 0 for value in (
+        first, last["work"], *shown, left, defect))
+    yield "energy", "", [(value, SIX, 0) for value in (first_shown, work, *shown)] + [
+        (left_shown, TWO, 0)] * int(left != 0) + [(defect, TWO,
                                           1e-11 * (abs(first) + abs(last["work"])))]
     yield "cost", "", [(s[key], 0, 0) for key in (
         "steps", "rejected_steps", "factorizations", "solves")] + [

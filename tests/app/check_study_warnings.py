@@ -14,7 +14,7 @@ BREAK = "Time/Break points = {} is beyond Time/End time = 0.3 and has no effect"
 OF_RUN = [[FORCE], [BREAK.format(3), FORCE], [BREAK.format(4), FORCE],
           [], [BREAK.format(3)], [BREAK.format(4)]]
 LINES = [f"runs 0 to 2: {FORCE}",
-         f"runs 1, 2, 4, 5: {BREAK.format(3)} (the numbers of run 1; the other runs have others)"]
+         f"runs 1, 2, 4, 5: {BREAK.format(3)} (numbers of run 1)"]
 
 directory = Path(sys.argv[1])
 log = (directory / "log.txt").read_text().splitlines()

@@ -41,6 +41,10 @@ namespace ThermoContact
   /** "[Double 0...MAX_DOUBLE (inclusive)]" in words: "a number 0 or more". */
   std::string
   describe_pattern(std::string pattern);
+
+  /** What its pattern allows, in words; 0 is no value of some. */
+  std::string
+  describe_allowed(const DeclaredEntry &entry);
 } // namespace ThermoContact
 
 #endif

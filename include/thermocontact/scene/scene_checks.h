@@ -3,6 +3,7 @@
 #ifndef thermocontact_scene_scene_checks_h
 #define thermocontact_scene_scene_checks_h
 
+#include <thermocontact/input/parameter_text.h>
 #include <thermocontact/scene/scene.h>
 
 #include <set>
@@ -32,10 +33,13 @@ namespace ThermoContact
    * Refuses values that the scene would ignore.
    *
    * @param prm bound to the parameters of the scene
-   * @throw InputError if an entry of unused_entries() differs from its default
+   * @throw InputError that names all entries of unused_entries() that differ
+   *   from their defaults, with their places
    */
   void
-  check_unused_entries(const Scene &scene, const ParameterHandler &prm);
+  check_unused_entries(const Scene                   &scene,
+                       const std::vector<Assignment> &assignments,
+                       const ParameterHandler        &prm);
 
   /**
    * Checks what a pattern for one entry cannot: limits that exclude their
