@@ -18,6 +18,48 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Largest difference of a field to @p value where it is constrained. */
+    template <int dim>
+    double
+    largest_constrained(const Discretization<dim> &discretization,
+                        const Field::Block         field,
+                        const Vector              &vector,
+                        const double               value)
+    {
+      double result = 0.;
+      for (const unsigned int e : discretization.constrained_entries(field))
+        result = std::max(result, std::abs(vector.begin()[e] - value));
+      return Utilities::MPI::max(result, discretization.communicator());
+    }
+
+
+
+    /** What the initial temperature differs by from that of the fixed end. */
+    template <int dim>
+    double
+    mismatch_of_fixed_end(const Body<dim> &body, const State &state)
+    {
+      return largest_constrained(body.discretization,
+                                 Field::temperature,
+                                 state.temperature,
+                                 body.scene.heat.fixed_end_temperature);
+    }
+
+
+
+    /** True if that is no rounding. */
+    template <int dim>
+    bool
+    starts_with_layer(const Body<dim> &body, const State &state)
+    {
+      return mismatch_of_fixed_end(body, state) >
+             Tolerances::rounding_of_data *
+               std::max(std::abs(body.scene.heat.fixed_end_temperature),
+                        state.temperature.linfty_norm());
+    }
+
+
+
     /** The fixed end must be fixed; warns of a corner layer. */
     template <int dim>
     void
@@ -28,18 +70,6 @@ namespace ThermoContact
       const Discretization<dim>     &discretization = body.discretization;
       const InitialValuesParameters &initial =
         body.scene.parameters.initial_values;
-      const MPI_Comm communicator = discretization.communicator();
-      const auto     largest      = [&](const Vector &field) {
-        return field.linfty_norm();
-      };
-      const auto largest_constrained = [&](const Field::Block field,
-                                           const Vector      &vector,
-                                           const double       value) {
-        double result = 0.;
-        for (const unsigned int e : discretization.constrained_entries(field))
-          result = std::max(result, std::abs(vector.begin()[e] - value));
-        return Utilities::MPI::max(result, communicator);
-      };
       // an end that moves gets its velocity from its drive in the first step
       Vector velocity_of_rest(state.velocity);
       for (const unsigned int e : body.driven_end.entries(Field::displacement))
@@ -59,8 +89,9 @@ namespace ThermoContact
                             "Contact/Gap = G - V*t, until the wave of the "
                             "impact comes back from the fixed end, which "
                             "holds the body")})
-        if (largest_constrained(Field::displacement, *field, 0.) >
-            Tolerances::rounding_of_data * largest(*field))
+        if (largest_constrained(
+              discretization, Field::displacement, *field, 0.) >
+            Tolerances::rounding_of_data * field->linfty_norm())
           throw InputError(
             std::string("Initial values/") + name + " = " + expression +
             ": not zero at the fixed end x = 0 or normal to rollers\n  allowed: "
@@ -68,20 +99,16 @@ namespace ThermoContact
             "remedy:  " +
             remedy);
 
-      if (!body.scene.fields.has_temperature)
+      if (!body.scene.fields.has_temperature || !starts_with_layer(body, state))
         return;
-      const double theta_A = body.scene.heat.fixed_end_temperature;
-      const double mismatch =
-        largest_constrained(Field::temperature, state.temperature, theta_A);
       const QuantityUnits units(body.scene.parameters);
-      if (mismatch > Tolerances::rounding_of_data *
-                       std::max(std::abs(theta_A), largest(state.temperature)))
-        warnings.push_back(
-          text("Initial values/Temperature differs by ",
-               units.text("temperature difference", mismatch),
-               " from theta_A = ",
-               units.text("temperature", theta_A),
-               " at the fixed end: a corner layer starts there"));
+      warnings.push_back(
+        text("Initial values/Temperature differs by ",
+             units.text("temperature difference",
+                        mismatch_of_fixed_end(body, state)),
+             " from theta_A = ",
+             units.text("temperature", body.scene.heat.fixed_end_temperature),
+             " at the fixed end: a corner layer starts there"));
     }
 
 
@@ -293,9 +320,11 @@ namespace ThermoContact
     check_overlap(body, state);
     stay_before_obstacle(body, state);
     check_penetration(body, first_step_size, state);
-    for (const unsigned int entry :
-         discretization.constrained_entries(Field::temperature))
-      state.temperature.begin()[entry] = body.scene.heat.fixed_end_temperature;
+    if (body.scene.fields.has_temperature && !starts_with_layer(body, state))
+      for (const unsigned int entry :
+           discretization.constrained_entries(Field::temperature))
+        state.temperature.begin()[entry] =
+          body.scene.heat.fixed_end_temperature;
 
     set_pressures_of_law(body, state);
     reset.complete(state);

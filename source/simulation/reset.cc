@@ -479,13 +479,15 @@ namespace ThermoContact
 
   template <int dim>
   double
-  Reset<dim>::heat_fixed_end(const double rise, State &state)
+  Reset<dim>::set_temperature_of_fixed_end(const double temperature,
+                                           State       &state)
   {
-    const auto &entries = body.driven_end.entries(Field::temperature);
-    Vector      change  = body.discretization.make_vector(Field::temperature);
-    Vector      heat(change), inside(change);
+    const auto &entries =
+      body.discretization.constrained_entries(Field::temperature);
+    Vector change = body.discretization.make_vector(Field::temperature);
+    Vector heat(change), inside(change);
     for (const unsigned int entry : entries)
-      change.begin()[entry] = rise;
+      change.begin()[entry] = temperature - state.temperature.begin()[entry];
     body.equations.heat_mass.vmult(heat, change);
     heat *= -1.;
     body.equations.zero_constrained(Field::temperature, heat);
@@ -500,7 +502,10 @@ namespace ThermoContact
     body.equations.heat_mass.vmult(heat, change);
     double work = 0.;
     for (const unsigned int entry : entries)
-      work += heat.begin()[entry] * excess.begin()[entry];
+      {
+        work += heat.begin()[entry] * excess.begin()[entry];
+        state.temperature.begin()[entry] = temperature;
+      }
     return Utilities::MPI::sum(work, body.discretization.communicator()) /
            body.discretization.geometry().cross_section();
   }
@@ -543,23 +548,41 @@ namespace ThermoContact
 
 
 
-    /** What the temperature of the fixed end rises by at a discontinuity. */
+    /** True if the temperature of the fixed end jumps. */
     template <int dim>
-    double
-    rise_of_fixed_end(const Body<dim> &body, const LoadBreak &at)
+    bool
+    fixed_end_jumps(const Body<dim> &body, const LoadBreak *const at)
     {
-      if (!body.scene.sources.has_driven_temperature)
-        return 0.;
+      if (at == nullptr || !at->is_jump ||
+          !body.scene.sources.has_driven_temperature)
+        return false;
       const TimeFunction &drive    = *body.scene.heat.fixed_end_drive;
       const auto          value_at = [&](const double time, Vector &value) {
         value = drive.value(time);
       };
-      return is_discontinuous(at,
+      return is_discontinuous(*at,
                               body.scene.parameters.time.end_time,
                               value_at,
-                              Vector(1)) ?
-               drive.value(at.new_time) - drive.value(at.old_time) :
-               0.;
+                              Vector(1));
+    }
+
+
+
+    /** True if the fixed end has another temperature in @p state. */
+    template <int dim>
+    bool
+    fixed_end_differs(const Body<dim> &body,
+                      const double     temperature,
+                      const State     &state)
+    {
+      double largest = 0.;
+      for (const unsigned int entry :
+           body.discretization.constrained_entries(Field::temperature))
+        largest =
+          std::max(largest,
+                   std::abs(state.temperature.begin()[entry] - temperature));
+      return Utilities::MPI::max(largest, body.discretization.communicator()) >
+             0.;
     }
   } // namespace
 
@@ -583,22 +606,59 @@ namespace ThermoContact
                                  const LoadBreak         &at,
                                  StepResult              &result)
   {
-    const Scene &scene   = body.scene;
-    const double rise    = rise_of_fixed_end(body, at);
-    const auto   load_at = [this](const double time, Vector &load) {
+    const auto load_at = [this](const double time, Vector &load) {
       load = momentum_load(time);
     };
     const bool moves =
-      moves_at_once() &&
-      (rise != 0. || is_discontinuous(at,
-                                      scene.parameters.time.end_time,
-                                      load_at,
-                                      result.state.displacement));
-    if (rise == 0. && !moves)
-      return false;
-    State &state    = result.state;
-    double work     = rise != 0. ? heat_fixed_end(rise, state) : 0.;
-    state.jump_time = state.time;
+      moves_at_once() && is_discontinuous(at,
+                                          body.scene.parameters.time.end_time,
+                                          load_at,
+                                          result.state.displacement);
+    if (moves)
+      move_at_once(solver, is_closed, 0., result);
+    return moves;
+  }
+
+
+
+  template <int dim>
+  bool
+  Reset<dim>::heat_fixed_end(StageSolver             &solver,
+                             const std::vector<bool> &is_closed,
+                             const LoadBreak *const   at,
+                             StepResult              &result)
+  {
+    const SceneHeat &heat  = body.scene.heat;
+    State           &state = result.state;
+    const bool       starts =
+      state.time == 0. &&
+      fixed_end_differs(body, heat.fixed_end_temperature, state);
+    const bool jumps = fixed_end_jumps(body, at);
+    if (starts)
+      set_temperature_of_fixed_end(heat.fixed_end_temperature, state);
+    const double work =
+      jumps ?
+        set_temperature_of_fixed_end(heat.fixed_end_drive->value(at->new_time),
+                                     state) :
+        0.;
+    if (starts || jumps)
+      move_at_once(solver, is_closed, work, result);
+    return starts || jumps;
+  }
+
+
+
+  template <int dim>
+  void
+  Reset<dim>::move_at_once(StageSolver             &solver,
+                           const std::vector<bool> &is_closed,
+                           double                   work,
+                           StepResult              &result)
+  {
+    const Scene &scene = body.scene;
+    State       &state = result.state;
+    const bool   moves = moves_at_once();
+    state.jump_time    = state.time;
     if (moves && scene.material.is_static())
       work += move_static_body(solver, state);
     else if (moves && scene.contact.is_in_equilibrium())
@@ -610,7 +670,6 @@ namespace ThermoContact
         set_exchange_of_law(body, state);
       }
     book(work, result);
-    return moves;
   }
 
 

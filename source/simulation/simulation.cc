@@ -155,6 +155,8 @@ namespace ThermoContact
   Simulation<dim>::step()
   {
     history_.attempts.clear();
+    if (!controller.is_finished(state_.time))
+      prepare_step();
     while (!controller.is_finished(state_.time))
       {
         const TimeStep time_step = controller.propose(state_.time);
@@ -443,6 +445,54 @@ namespace ThermoContact
 
   template <int dim>
   void
+  Simulation<dim>::prepare_step()
+  {
+    heat_fixed_end();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::heat_fixed_end()
+  {
+    if (!scene_.fields.has_temperature || heated_time == state_.time)
+      return;
+    heated_time = state_.time;
+    const LoadBreak *const at =
+      controller.followed_loads().break_at(state_.time);
+    if (state_.time != 0. && at == nullptr)
+      return;
+    result        = StepResult();
+    result.state  = state_;
+    result.energy = record().energy_terms;
+
+    const ContactMode mode       = tracker.mode();
+    bool              was_heated = false;
+    together([&]() {
+      was_heated = reset.heat_fixed_end(integrator->stage_solver(),
+                                        tracker.closed_nodes(result),
+                                        at,
+                                        result);
+      if (was_heated && reset.moves_at_once())
+        tracker.jump(result.state, history_.events);
+    });
+    take_warnings();
+    if (!result.failure.empty())
+      throw ComputationError(result.failure +
+                             words_of_loads(body_, state_.time, state_.time));
+    if (!was_heated)
+      return;
+    state_.swap(result.state);
+    restart_controller(mode, nullptr);
+    history_.add_jump(result);
+    error_norm.add(result.energy);
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::give_up(const TimeStep    &time_step,
                            const std::string &reason) const
   {
@@ -478,7 +528,7 @@ namespace ThermoContact
   void
   Simulation<dim>::archive_progress(Archive &archive)
   {
-    archive &state_ &history_ &passed_break;
+    archive &state_ &history_ &passed_break &heated_time;
     archive &controller &error_norm &energy_monitor &spatial_error_monitor
       &tracker;
   }

@@ -13,8 +13,9 @@
 namespace ThermoContact
 {
   /**
-   * The state at $t=0$: the projection $P_E$ of the initial values, the fixed
-   * end at its temperature, contact nodes no further than the initial
+   * The state at $t=0$: the projection $P_E$ of the initial values, before the
+   * fixed end takes another temperature than theirs, which is for the first
+   * step (Reset::heat_fixed_end()), contact nodes no further than the initial
    * values have them at a rigid obstacle, and the pressure of the contact law.
    * Without inertia it is completed, and contact nodes that are to be in
    * equilibrium are put there, doc/discretisation.md section 5 and

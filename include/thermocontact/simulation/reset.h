@@ -51,13 +51,12 @@ namespace ThermoContact
 
     /**
      * The state behind a discontinuity of the loads at the end of a step,
-     * doc/contact-in-time.md section 4: the fixed end takes its new
-     * temperature, with the heat for that, (C4.5); what is static goes to its
-     * equilibrium with the new loads, with the contact law, and takes heat for
-     * it, (C4.4); a body with viscosity and without inertia stays and gets the
-     * velocity, and at a rigid obstacle the pressures, of (D5.2); all else
-     * stays. The loads do the work of the displacement that they cause, and
-     * what is too much for the new energy is numerical dissipation. Collective.
+     * doc/contact-in-time.md section 4: what is static goes to its equilibrium
+     * with the new loads, with the contact law, and takes heat for it, (C4.4);
+     * a body with viscosity and without inertia stays and gets the velocity,
+     * and at a rigid obstacle the pressures, of (D5.2); all else stays. The
+     * loads do the work of the displacement that they cause, and what is too
+     * much for the new energy is numerical dissipation. Collective.
      *
      * @param solver of the stages of the body
      * @param is_closed nodes that are in contact before it: only they may have
@@ -69,8 +68,8 @@ namespace ThermoContact
      *   time and its energy; work and numerical dissipation are added to, and
      *   all else, closed_nodes too, is still that of the step
      * @return true if the body or its contact nodes have answered by motion.
-     *   Nothing is changed if fixed end and loads of the momentum equation are
-     *   continuous there, as at a time that is only listed, or move nothing
+     *   Nothing is changed if loads of the momentum equation are continuous
+     *   there, as at a time that is only listed, or move nothing
      * @throw ComputationError if the new equilibrium is not found
      */
     bool
@@ -78,6 +77,23 @@ namespace ThermoContact
                        const std::vector<bool> &is_closed,
                        const LoadBreak         &at,
                        StepResult              &result);
+
+    /**
+     * The state from which a step starts where the temperature of the fixed end
+     * has a discontinuity: the end takes its new temperature, with the heat for
+     * that, (C4.5), and what is static or has no inertia answers as to loads.
+     * At the start of a run that is the difference of $\theta_A(0)$ to the
+     * initial temperature, too, whose heat is no work. All arguments are those
+     * of pass_discontinuity(); the result is that of no step.
+     *
+     * @param at nullptr: inputs are continuous there
+     * @return true if there is a discontinuity; nothing is changed if not
+     */
+    bool
+    heat_fixed_end(StageSolver             &solver,
+                   const std::vector<bool> &is_closed,
+                   const LoadBreak *const   at,
+                   StepResult              &result);
 
     /**
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
@@ -131,6 +147,14 @@ namespace ThermoContact
                     const EventLocator::Finding &finding,
                     StepResult                  &result);
 
+    /**
+     * True if a body or its contact nodes answer a discontinuity of the loads
+     * by motion: without inertia and viscosity they go to another place, a body
+     * without inertia gets another velocity.
+     */
+    bool
+    moves_at_once() const;
+
     /** Factors and responses so far, and what an iterative solver made. */
     const SolverCounters &
     counters() const
@@ -174,14 +198,6 @@ namespace ThermoContact
     // of the contact nodes, scratch
     mutable std::vector<NodeLaw> node_laws;
     mutable std::vector<double>  node_positions;
-
-    /**
-     * True if a body or its contact nodes answer a discontinuity of the loads
-     * by motion: without inertia and viscosity they go to another place, a body
-     * without inertia gets another velocity.
-     */
-    bool
-    moves_at_once() const;
 
     /** $M$, made when it is needed. */
     LinearSystem<dim> &
@@ -263,9 +279,21 @@ namespace ThermoContact
     void
     settle_viscous_nodes(const std::vector<bool> &is_closed, State &state);
 
-    /** (C4.5), by @p rise; returns the work of the heat at the fixed end. */
+    /** (C4.5), to @p temperature; returns the work of the heat there. */
     double
-    heat_fixed_end(const double rise, State &state);
+    set_temperature_of_fixed_end(const double temperature, State &state);
+
+    /**
+     * What is static moves at once, what has no inertia gets another velocity;
+     * the energy of that is booked.
+     *
+     * @param work done so far
+     */
+    void
+    move_at_once(StageSolver             &solver,
+                 const std::vector<bool> &is_closed,
+                 double                   work,
+                 StepResult              &result);
 
     /** (C4.4) of static nodes alone. */
     void

@@ -232,6 +232,9 @@ namespace ThermoContact
     /** The last discontinuity of inputs that the state has passed. */
     double passed_break = -1.;
 
+    /** The last time at which the fixed end was looked at for one. */
+    double heated_time = -1.;
+
     void
     set_initial_state();
 
@@ -307,6 +310,20 @@ namespace ThermoContact
      */
     const LoadBreak *
     pass_present_break(const EnergyTerms &energy);
+
+    /** Makes the present state one from which a step can start. */
+    void
+    prepare_step();
+
+    /**
+     * Where the temperature of the fixed end has a discontinuity the present
+     * state becomes the one behind it. The row of that time is without: no heat
+     * has flowed then, and what the mesh needs of it is of the size of a cell.
+     *
+     * @throw ComputationError that says where
+     */
+    void
+    heat_fixed_end();
 
     /**
      * Passes a discontinuity in the state that was restored, which the run that
