@@ -85,6 +85,48 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** The error estimate of $y'=-z\,y$, $y(0)=1$, in a step of length 1. */
+    double
+    estimate_of_decay(const ButcherTableau &tableau, const double z)
+    {
+      std::vector<double> rates;
+      double              estimate = 0.;
+      for (unsigned int i = 0; i < tableau.n_stages(); ++i)
+        {
+          double known = 1.;
+          for (unsigned int j = 0; j < i; ++j)
+            known += tableau.a[i][j] * rates[j];
+          rates.push_back(-z * known / (1. + z * tableau.gamma()));
+          estimate += (tableau.b()[i] - tableau.embedded_b[i]) * rates[i];
+        }
+      return std::abs(estimate);
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  ButcherTableau::bounds_of_estimate() const
+  {
+    if (!has_error_estimate())
+      return {};
+    // smooth functions of log z, below 1/64 constant or less, beyond 1024 less
+    std::vector<double> bounds(order, 0.);
+    constexpr int       per_octave = 8;
+    for (int k = -6 * per_octave; k <= 10 * per_octave; ++k)
+      {
+        const double z     = std::exp2(double(k) / per_octave);
+        double       bound = estimate_of_decay(*this, z);
+        for (double &largest : bounds)
+          largest = std::max(largest, bound /= z);
+      }
+    return bounds;
+  }
+
+
+
   const std::vector<ButcherTableau> &
   butcher_tableaus()
   {

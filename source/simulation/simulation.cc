@@ -7,6 +7,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/scene/scene_checks.h>
+#include <thermocontact/simulation/first_step.h>
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/simulation/simulation.h>
 #include <thermocontact/space/load_scan.h>
@@ -448,6 +449,9 @@ namespace ThermoContact
   Simulation<dim>::prepare_step()
   {
     heat_fixed_end();
+    if (record().step == 0)
+      controller.limit_first_step(
+        first_step_of_heat(body_, state_, record().energy_terms.thermal));
   }
 
 

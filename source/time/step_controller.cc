@@ -94,6 +94,7 @@ namespace ThermoContact
                                  const unsigned int      order,
                                  const StepLadder       &ladder)
     : has_error_control(time.has_error_control())
+    , chooses_first_step(has_error_control && !time.first_step_size)
     , fixed_size(time.step_size.value_or(0.))
     , end_time(time.end_time)
     , minimum_size(time.minimum_step_size)
@@ -205,6 +206,15 @@ namespace ThermoContact
     const LoadBreak *end   = loads.break_at(step.end);
     step.first_loads       = begin == nullptr ? time : begin->new_time;
     step.last_loads        = end == nullptr ? step.end : end->old_time;
+  }
+
+
+
+  void
+  StepController::limit_first_step(const double largest)
+  {
+    if (chooses_first_step && largest < size)
+      size = std::max(rung_below(largest), minimum_size);
   }
 
 

@@ -46,6 +46,14 @@ namespace ThermoContact
       return a.size();
     }
 
+    /**
+     * Bounds $C_m$, $m=1,\dots,$ order, of the error estimate of what decays at
+     * the rate $\lambda$, in parts of it: $|e|\le C_m(\lambda\,\Delta t)^m$ for
+     * all $\lambda\ge0$; empty if there is no estimate.
+     */
+    std::vector<double>
+    bounds_of_estimate() const;
+
     /** Diagonal entry, stage length per step size. */
     double
     gamma() const

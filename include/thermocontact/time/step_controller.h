@@ -140,6 +140,10 @@ namespace ThermoContact
       return time >= end_time;
     }
 
+    /** The first step, if it is to be chosen, is no longer than @p size. */
+    void
+    limit_first_step(const double size);
+
     /** The next step ends at @p event_time, which lies within the last one. */
     void
     aim_at(const double event_time);
@@ -205,6 +209,7 @@ namespace ThermoContact
 
   private:
     const bool          has_error_control;
+    const bool          chooses_first_step;
     const double        fixed_size;
     const double        end_time;
     const double        minimum_size;
