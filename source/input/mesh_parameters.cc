@@ -150,4 +150,12 @@ namespace ThermoContact
     return std::ldexp(cell_sizes().back(), -static_cast<int>(refinements)) /
            degree;
   }
+
+
+
+  double
+  MeshParameters::contact_node_length() const
+  {
+    return contact_spacing() / (degree + 1.);
+  }
 } // namespace ThermoContact

@@ -4,6 +4,7 @@
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/method/scheme.h>
 #include <thermocontact/scene/coarser_scenes.h>
+#include <thermocontact/scene/scene.h>
 
 #include <cmath>
 
@@ -153,15 +154,20 @@ namespace ThermoContact
   {
     std::vector<CoarserScene> scenes;
     CoarserScene              scene{parameters, "", 1.};
+    // their errors leap from degree to degree, and are of no order on few cells
+    const bool has_massless_nodes =
+      Scene(parameters).contact.has_massless_nodes;
     for (unsigned int n = 0; n < 2; ++n)
       {
         MeshParameters &mesh = scene.parameters.mesh;
         scene.smallest_rate  = smallest_rate_of_degrees;
-        if (parameters.mesh.degree >= smallest_high_degree)
+        if (parameters.mesh.degree >= smallest_high_degree &&
+            !has_massless_nodes)
           --mesh.degree;
         else if (halve_cells(scene.parameters))
           // the error of the displacement is of this order
-          scene.smallest_rate = std::pow(0.5, mesh.degree + 1);
+          scene.smallest_rate =
+            std::pow(0.5, has_massless_nodes ? 1 : mesh.degree + 1);
         else
           {
             if (mesh.degree == 1)

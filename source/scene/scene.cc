@@ -204,12 +204,31 @@ namespace ThermoContact
 
 
     /**
-     * Contact nodes have no mass, (C1.1), where the viscosity does not damp the
-     * oscillations of one node between its neighbour and its obstacle: a node
-     * of mass $bh$ on the springs $1/h$ and $1/\varepsilon$ with the damper
-     * $\zeta/h$, $\zeta^2<bh^2(1+h/\varepsilon)$; on a rigid obstacle, on which
-     * a node does not oscillate, without the second spring, and if several
-     * nodes meet it one by one; and if the scheme needs it.
+     * The viscosity does not damp the oscillations of a contact node with mass
+     * between its neighbour and its obstacle, (C1.2): a mass $bw$, $w$ the
+     * length of the body that it stands for, on the springs $1/w$ and
+     * $1/\varepsilon$ with the damper $\zeta/w$, which is critical for
+     * $\zeta^2=4bw^2(1+w/\varepsilon)$; without a compliance, as a rigid
+     * obstacle throws it back by its neighbours, $\zeta^2<b(h/p)^2$.
+     */
+    bool
+    contact_nodes_oscillate(const Parameters &parameters, const ContactLaw &law)
+    {
+      const MeshParameters &mesh       = parameters.mesh;
+      const double          b          = parameters.model.inertia;
+      const double          w          = mesh.contact_node_length();
+      const auto            compliance = law.compliance();
+      return parameters.model.viscosity <
+             (compliance ? 2. * w * std::sqrt(b * (1. + w / *compliance)) :
+                           mesh.contact_spacing() * std::sqrt(b));
+    }
+
+
+
+    /**
+     * Contact nodes have no mass, (C1.1), where they would oscillate, or if
+     * several of them meet a rigid obstacle one by one; and if the scheme needs
+     * it.
      */
     bool
     resolve_massless_nodes(const Parameters &parameters,
@@ -217,9 +236,8 @@ namespace ThermoContact
                            const Scheme     &scheme,
                            const bool        has_prescribed_start)
     {
-      const MeshParameters  &mesh  = parameters.mesh;
-      const ModelParameters &model = parameters.model;
-      if (!law.is_active() || model.inertia == 0. || mesh.n_nodes(1) == 2.)
+      if (!law.is_active() || parameters.model.inertia == 0. ||
+          parameters.mesh.n_nodes(1) == 2.)
         return false;
       if (scheme.has_no_dispersion)
         return false; // its mass matrix knows no single nodes
@@ -229,12 +247,9 @@ namespace ThermoContact
         return false; // it acts on what has inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
-      const double h = mesh.contact_spacing();
-      // of the mesh, and of an obstacle beside it that has one
-      const double stiffness = 1. + h / law.compliance().value_or(infinity);
       return scheme.needs_massless_contact ||
              (parameters.dimension > 1 && law.is_rigid()) ||
-             model.viscosity < std::sqrt(model.inertia * stiffness) * h;
+             contact_nodes_oscillate(parameters, law);
     }
 
 
@@ -266,6 +281,10 @@ namespace ThermoContact
                                                           *contact.law,
                                                           scheme,
                                                           has_prescribed_start);
+      contact.nodes_oscillate =
+        material.has_inertia() && !contact.has_massless_nodes &&
+        contact.law->compliance() && contact.law->damping() == 0. &&
+        contact_nodes_oscillate(parameters, *contact.law);
       contact.order = material.has_inertia() && !contact.has_massless_nodes ?
                         NodeOrder::inertial :
                       material.has_viscosity() && scheme.has_viscous_contact ?

@@ -576,6 +576,28 @@ namespace ThermoContact
 
 
 
+  std::string
+  oscillation_warning(const Scene &scene)
+  {
+    if (!scene.contact.nodes_oscillate ||
+        !scene.parameters.time.has_error_control())
+      return "";
+    const double mass =
+      scene.material.inertia * scene.parameters.mesh.contact_node_length();
+    const double stiffness = scene.contact.law->tangent(1.);
+    return text("Contact/Massless nodes = ",
+                scene.parameters.contact.massless_nodes,
+                ": contact nodes with mass bounce on an obstacle so hard, with "
+                "a period of about ",
+                QuantityUnits(scene.parameters)
+                  .text("time",
+                        2. * dealii::numbers::PI * std::sqrt(mass * stiffness)),
+                ": steps follow them, and can be many more than the forecast; "
+                "remedy: Contact/Massless nodes = automatic");
+  }
+
+
+
   void
   check_scheme_fits_law(const Scheme         &scheme,
                         const ContactLawKind &kind,

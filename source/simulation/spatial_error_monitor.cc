@@ -363,7 +363,7 @@ namespace ThermoContact
   is_largest_force_of_mesh(const Scene                     &scene,
                            const std::vector<ContactEvent> &events)
   {
-    return scene.parameters.mesh.contact_spacing() >
+    return 2. * scene.parameters.mesh.contact_node_length() >
              spacing_of_largest_force(scene) &&
            std::any_of(events.begin(),
                        events.end(),
@@ -381,8 +381,9 @@ namespace ThermoContact
   {
     if (!is_largest_force_of_mesh(scene, events))
       return "";
-    const double      spacing = spacing_of_largest_force(scene);
-    const std::string start   = "the largest force is that of the mesh: ";
+    const double spacing = 0.5 * (scene.parameters.mesh.degree + 1.) *
+                           spacing_of_largest_force(scene);
+    const std::string start = "the largest force is that of the mesh: ";
     if (spacing == 0.)
       return start +
              "behind an impact on a rigid obstacle the force of a viscous body "

@@ -89,6 +89,8 @@ THERMAL = ("Model/Fields=temperature and displacement",)
 BOX = ("Time/Scheme=box", "Mesh/Degree=1", "Model/Viscosity=0", "Time/End time=0",
        "Contact/Massless nodes=automatic")
 SOFT = THERMAL + ("Contact/Condition=normal compliance", "Time/End time=0")
+OSCILLATING = ("Time/Scheme=sdirk4", "Time/Step size=automatic", "Model/Viscosity=0.2",
+               "Mesh/Cells=8", "Mesh/Degree=4", "Time/Locate contact events=automatic")
 # overrides and what the warning must say, by hand: the temperature of the fixed
 # end is 10; pressure = penetration/0.01
 START = [
@@ -106,6 +108,13 @@ START = [
      ["Contact/Gap = -0.02: negative, the undeformed body overlaps the obstacle "
       "(preload), end displacement 0, initial pressure 2"]),
     (SOFT + ("Contact/Gap=0",), []),
+    # a node of mass b h/20 on the spring 1/1e-8: 2 pi (1e-8/160)^(1/2)
+    (SOFT + OSCILLATING + ("Contact/Compliance=1e-8", "Contact/Massless nodes=off"),
+     ["Contact/Massless nodes = off: contact nodes with mass bounce on an obstacle so "
+      "hard, with a period of about 4.96729e-05: steps follow them, and can be many more "
+      "than the forecast; remedy: Contact/Massless nodes = automatic"]),
+    (SOFT + OSCILLATING + ("Contact/Compliance=1e-8", "Contact/Massless nodes=automatic"), []),
+    (SOFT + OSCILLATING + ("Contact/Compliance=1e-2", "Contact/Massless nodes=off"), []),
     (BOX + ("Mesh/Cells=50", "Time/Step size=0.02"), []),
     (BOX + ("Mesh/Cells=50", "Time/Step size=0.04", "Model/Inertia=4"), []),
     (BOX + ("Mesh/Cells=25", "Mesh/Refinements=1", "Time/Step size=0.01",
@@ -158,6 +167,7 @@ DAMPED = ("Model/Fields=temperature and displacement", "Model/Viscosity=0.2",
           "Time/Scheme=sdirk4", "Time/Step size=automatic", "Time/Tolerance=1e-8",
           "Time/Locate contact events=automatic", "Time/End time=1")
 OF_MESH = "the mesh leaves out"
+BOUNCING = "Contact/Massless nodes = off: contact nodes with mass bounce"
 
 
 def said(text):
@@ -240,7 +250,8 @@ def check_energy(case):
     shutil.rmtree(directory)
     if bool(expected) != (remedy is not None):
         return f"{' '.join(overrides)}: due {expected}"
-    return report(overrides, [line for line in warnings if TAKEN not in line], expected)
+    return report(overrides, [line for line in warnings if TAKEN not in line and
+                              not line.startswith(BOUNCING)], expected)
 
 
 def check_start(case):
@@ -311,8 +322,9 @@ def main():
     # corner layer; contact at the start or preload; energy; dispersion; blocks that
     # grow, noted by the solver of a stage; loads; other ranks than before; the mesh; break
     # points after the end; energy that the scheme takes; a first contact that is missed; a
-    # peak of the mesh; what rounding leaves; one place that takes all those of a run
-    print("kinds of warnings in the sources:", "known" if places == 16 else places)
+    # peak of the mesh; what rounding leaves; contact nodes that bounce; one place that takes
+    # all those of a run
+    print("kinds of warnings in the sources:", "known" if places == 17 else places)
 
 
 main()

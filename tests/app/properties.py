@@ -677,11 +677,13 @@ def check_names(run):
             "Time/Scheme"] != "box" and ", start of the paper" not in run.log:
         n, degree = int(s["Mesh/Cells"]), int(s["Mesh/Degree"])
         ratio = s.number("Mesh/Grading", 1)**(1 / max(1, n - 1))
-        h = 1 / sum(ratio**i for i in range(n)) / degree
-        stiffness = 1 + (h / scene.epsilon if scene.condition == "normal compliance" else 0)
+        spacing = 1 / sum(ratio**i for i in range(n)) / degree
+        w = spacing / (degree + 1)
+        critical = (2 * w * math.sqrt(1 + w / scene.epsilon)
+                    if scene.condition == "normal compliance" else spacing)
         if ("massless contact nodes" in terms) != (scene.b > 0 and not scene.c and n * degree > 1 and (
                 scene.conserves or not scene.is_rod and scene.condition == "rigid" or
-                scene.zeta < h * math.sqrt(scene.b * stiffness))):
+                scene.zeta < critical * math.sqrt(scene.b))):
             yield "massless contact nodes"
     words = re.search(r"^  terms +(.*(?:\n {12,}\S.*)*)", run.log, re.MULTILINE)
     if words and ", ".join(terms) != re.sub(r"\s+", " ", words[1]):

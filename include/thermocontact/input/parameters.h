@@ -166,6 +166,13 @@ namespace ThermoContact
     /** Mean distance of nodes in the cells of the contact end. */
     double
     contact_spacing() const;
+
+    /**
+     * Length of the body whose mass a node of the contact end has in the rule
+     * of the nodes, $h/(p(p+1))$; nondimensional.
+     */
+    double
+    contact_node_length() const;
   };
 
 

@@ -223,6 +223,9 @@ namespace ThermoContact
     /** The mass of the contact nodes is moved to others, (C1.1). */
     bool has_massless_nodes;
 
+    /** They have it, and nothing damps them on an obstacle that gives way. */
+    bool nodes_oscillate;
+
     /** Steps end where contact begins or ends. */
     bool locates_events;
 

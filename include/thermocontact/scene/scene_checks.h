@@ -84,6 +84,12 @@ namespace ThermoContact
    * would not have in others, (C6.8); or nothing. */
   std::string
   dispersion_warning(const Scene &scene);
+
+  /** A warning if error-controlled steps have to follow the oscillations of
+   * contact nodes with mass on a hard obstacle, which no forecast knows; or
+   * nothing. */
+  std::string
+  oscillation_warning(const Scene &scene);
 } // namespace ThermoContact
 
 #endif

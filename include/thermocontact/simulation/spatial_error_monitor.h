@@ -173,7 +173,8 @@ namespace ThermoContact
   double
   spacing_of_largest_force(const Scene &scene);
 
-  /** True if there was an impact, and the mesh is coarser than that. */
+  /** True if there was an impact, and the end node stands for more than half of
+   * that. */
   bool
   is_largest_force_of_mesh(const Scene                     &scene,
                            const std::vector<ContactEvent> &events);
