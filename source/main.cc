@@ -13,6 +13,7 @@
 #include <thermocontact/input/si_scene.h>
 #include <thermocontact/output/output_page.h>
 #include <thermocontact/scene/scene_checks.h>
+#include <thermocontact/scene/scheme_choice.h>
 #include <thermocontact/sweep.h>
 
 #include <deal.II/base/mpi.h>
@@ -154,9 +155,10 @@ namespace ThermoContact
 
     /** What to do if memory is not enough, perhaps on this rank alone. */
     [[noreturn]] void
-    refuse_size(const Parameters &parameters)
+    refuse_size(const Parameters &written)
     {
-      const unsigned int dim = parameters.dimension;
+      const Parameters   parameters = choose_scheme(written).parameters;
+      const unsigned int dim        = parameters.dimension;
       const std::string  message =
         text("not enough memory for a mesh of ",
              significant(parameters.mesh.n_nodes(dim), 3),

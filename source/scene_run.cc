@@ -357,7 +357,9 @@ namespace ThermoContact
       const MPI_Comm     communicator =
         DimensionTraits<dim>::communicator(MPI_COMM_WORLD);
       const std::string directory = request.output_directory();
-      const auto        entries   = entry_values(request.prm);
+      auto              entries   = entry_values(request.prm);
+      for (const ChosenEntry &entry : scene.scheme_choice.entries)
+        entries[entry.path] = entry.value;
 
       std::optional<DirectoryLock> lock;
       std::optional<Checkpoint>    checkpoint;
@@ -409,6 +411,7 @@ namespace ThermoContact
                             unused_paths(scene),
                             request.prm,
                             request.assignments,
+                            scene.scheme_choice,
                             communicator);
       throw_everywhere<ComputationError>(log.open_file(directory + "/log.txt",
                                                        checkpoint.has_value()),

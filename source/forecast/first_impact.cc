@@ -35,6 +35,7 @@ namespace ThermoContact
       parameters.mesh.cells     = n_cells;
       parameters.mesh.grading   = 1. / size_of_last_cell(*scene.contact.law);
       parameters.time           = TimeParameters();
+      parameters.time.scheme    = default_scheme().name;
       parameters.time.end_time  = end_time;
       parameters.time.tolerance = tolerance;
       parameters.solver         = SolverParameters();

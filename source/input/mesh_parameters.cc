@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/section_of_entries.h>
 
@@ -37,10 +38,15 @@ namespace ThermoContact
     using namespace dealii::Patterns;
 
     SectionOfEntries entry(prm, "Mesh");
-    entry("Cells", cells, Integer(1, 10000000))
-      .means("Number of cells along the rod; the paper: 250.");
-    entry("Degree", degree, Integer(1, 30))
-      .means("Polynomial degree p of both fields; the paper: 1.");
+    entry("Cells", cells, NumberOrText::word_or_count("automatic", 1, 10000000))
+      .means(text("Number of cells along the rod; automatic: ",
+                  cells_by_default,
+                  ", or with Time/Scheme = box as many as Time/Tolerance asks "
+                  "for. The paper: 250."));
+    entry("Degree", degree, NumberOrText::word_or_count("automatic", 1, 30))
+      .means(text("Polynomial degree p of both fields; automatic: ",
+                  degree_by_default,
+                  ", or 1 with Time/Scheme = box. The paper: 1."));
     entry("Refinements", refinements, Integer(0, 30))
       .means("Global refinements of that mesh.");
     entry("Grading", grading, Double(1e-8, 1e8))

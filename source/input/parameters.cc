@@ -401,8 +401,13 @@ namespace ThermoContact
   TimeParameters::add_parameters(ParameterHandler &prm)
   {
     SectionOfEntries entry(prm, "Time");
-    entry("Scheme", scheme, Selection(names_of(schemes())))
-      .means("Time integrator: " + in_words(schemes(), describe_scheme) + ".");
+    entry("Scheme",
+          scheme,
+          Selection(automatic_scheme + "|" + names_of(schemes())))
+      .means("Time integrator: automatic (box where an impact or a jump makes "
+             "waves in a rod that its viscosity does not smooth, else " +
+             default_scheme().name + "), " +
+             in_words(schemes(), describe_scheme) + ".");
     entry("Start", start, Selection("automatic|paper|consistent"))
       .means("First step: paper (the end of the step is u_0 + dt u_1, then the "
              "heat equation alone), consistent (a step like all others), "
@@ -413,12 +418,14 @@ namespace ThermoContact
     entry("Step size", step_size, NumberOrText::word("automatic"))
       .means("Time step dt > 0, the same for all steps but those that end at "
              "T, at a contact event or at an output time; automatic: from the "
-             "error estimate of the scheme and the tolerance. The paper: "
-             "0.001.",
+             "error estimate of the scheme and the tolerance, or with "
+             "Time/Scheme = box the time h sqrt(b) in which a wave passes a "
+             "cell. The paper: 0.001.",
              "time");
     entry("Tolerance", tolerance, Double(1e-13, 0.1))
       .means("Tolerance of automatic steps: error per step, relative to the "
-             "running maximum of each field.");
+             "running maximum of each field; of the automatic cells of "
+             "Time/Scheme = box.");
     entry("First step size", first_step_size, NumberOrText::word("automatic"))
       .means("First of the automatic steps.", "time");
     entry("Minimum step size", minimum_step_size, duration)

@@ -11,17 +11,28 @@
 namespace ThermoContact
 {
   using dealii::Patterns::Double;
+  using dealii::Patterns::Integer;
   using dealii::Utilities::string_to_double;
 
 
 
-  NumberOrText::NumberOrText(const std::string           &word,
-                             const std::string           &names,
-                             const std::optional<Double> &number)
+  NumberOrText::NumberOrText(const std::string &word,
+                             const std::string &names,
+                             const Number      &number)
     : the_word(word)
     , names(names)
     , number(number)
   {}
+
+
+
+  const dealii::Patterns::PatternBase *
+  NumberOrText::pattern_of_number() const
+  {
+    if (const auto *const real = std::get_if<Double>(&number))
+      return real;
+    return std::get_if<Integer>(&number);
+  }
 
 
 
@@ -34,9 +45,19 @@ namespace ThermoContact
 
 
   NumberOrText
+  NumberOrText::word_or_count(const std::string &word,
+                              const int          smallest,
+                              const int          largest)
+  {
+    return {word, "", Integer(smallest, largest)};
+  }
+
+
+
+  NumberOrText
   NumberOrText::expression(const std::string &names)
   {
-    return {"", names, std::nullopt};
+    return {"", names, std::monostate()};
   }
 
 
@@ -56,7 +77,8 @@ namespace ThermoContact
   bool
   NumberOrText::match(const std::string &text) const
   {
-    return !number || number->match(text) ||
+    const PatternBase *const of_number = pattern_of_number();
+    return of_number == nullptr || of_number->match(text) ||
            (the_word.empty() ? !(text.empty() || Double().match(text)) :
                                text == the_word);
   }
@@ -66,10 +88,12 @@ namespace ThermoContact
   std::string
   NumberOrText::description(const OutputStyle style) const
   {
-    const std::string of_number = number ? number->description(style) : "";
-    return the_word.empty() ? "[" + of_number + (number ? " or " : "") +
+    const PatternBase *const number = pattern_of_number();
+    const std::string        words =
+      number == nullptr ? "" : number->description(style);
+    return the_word.empty() ? "[" + words + (words.empty() ? "" : " or ") +
                                 "an expression in " + names + "]" :
-                              "[" + the_word + " or " + of_number + "]";
+                              "[" + the_word + " or " + words + "]";
   }
 
 
@@ -136,6 +160,19 @@ namespace ThermoContact
     const std::string word = pattern.default_word();
     return unbound(name, word, pattern, [&value, word](const auto &given) {
       value = given == word ? infinity : string_to_double(given);
+    });
+  }
+
+
+
+  SectionOfEntries::Entry
+  SectionOfEntries::operator()(const std::string  &name,
+                               unsigned int       &count,
+                               const NumberOrText &pattern)
+  {
+    const std::string word = pattern.default_word();
+    return unbound(name, word, pattern, [&count, word](const auto &given) {
+      count = given == word ? 0 : dealii::Utilities::string_to_int(given);
     });
   }
 

@@ -213,6 +213,7 @@ namespace ThermoContact
                         const std::set<std::string>   &omit,
                         const ParameterHandler        &prm,
                         const std::vector<Assignment> &assignments,
+                        const SchemeChoice            &choice,
                         const MPI_Comm                 communicator)
   {
     std::string fault;
@@ -221,7 +222,14 @@ namespace ThermoContact
         std::vector<DeclaredEntry> entries = declared_entries(prm);
         add_units(assignments, entries);
         for (DeclaredEntry &entry : entries)
-          if (entry.path == "Output/Directory")
+          if (const std::string *const chosen = choice.find(entry.path))
+            {
+              entry.value  = *chosen;
+              entry.remark = "automatic";
+              if (entry.path == "Time/Scheme")
+                entry.remark += ", since " + choice.reason;
+            }
+          else if (entry.path == "Output/Directory")
             {
               entry.value = directory;
               entry.remark.clear();

@@ -350,6 +350,9 @@ namespace ThermoContact
                         "massless contact nodes" :
                         ""}));
       }
+    if (!scene.scheme_choice.reason.empty())
+      log.line("  scheme    " + scene.scheme.name + ", since " +
+               scene.scheme_choice.reason);
     log.line("  time      " + describe_time(scene, units));
     if (!loads.is_empty())
       log.line("  loads     " + describe_loads(loads, units));

@@ -20,6 +20,10 @@ namespace ThermoContact
     /** By which the error falls at most from one degree to the next. */
     constexpr double smallest_rate_of_degrees = 0.03;
 
+    /** The same of solutions with kinks, where that is a power of the degree.
+     */
+    constexpr double smallest_rate_of_kinks = 0.5;
+
     bool
     has_joined_steps_and_cells(const Parameters &parameters)
     {
@@ -71,6 +75,7 @@ namespace ThermoContact
     halve_cells(Parameters &parameters)
     {
       MeshParameters &mesh    = parameters.mesh;
+      const double    spacing = mesh.contact_spacing();
       bool            changes = false;
       if (mesh.refinements > 0)
         {
@@ -89,7 +94,7 @@ namespace ThermoContact
         }
       if (changes && has_joined_steps_and_cells(parameters) &&
           parameters.time.step_size)
-        *parameters.time.step_size *= 2.;
+        *parameters.time.step_size *= mesh.contact_spacing() / spacing;
       return changes;
     }
 
@@ -160,7 +165,9 @@ namespace ThermoContact
     for (unsigned int n = 0; n < 2; ++n)
       {
         MeshParameters &mesh = scene.parameters.mesh;
-        scene.smallest_rate  = smallest_rate_of_degrees;
+        scene.smallest_rate  = has_smooth_waves(parameters) ?
+                                 smallest_rate_of_degrees :
+                                 smallest_rate_of_kinks;
         if (parameters.mesh.degree >= smallest_high_degree &&
             !has_massless_nodes)
           --mesh.degree;
@@ -174,7 +181,8 @@ namespace ThermoContact
               break;
             --mesh.degree;
           }
-        scene.words = words_of_mesh(scene.parameters, parameters);
+        scene.has_coarser_steps = has_joined_steps_and_cells(parameters);
+        scene.words             = words_of_mesh(scene.parameters, parameters);
         scenes.push_back(scene);
       }
     return scenes;

@@ -382,8 +382,8 @@ namespace ThermoContact
 
 
 
-  Scene::Scene(const Parameters &parameters)
-    : parameters(parameters)
+  Scene::Scene(const Parameters &written)
+    : scheme_choice(choose_scheme(written))
     , fields{parameters.model.fields != "displacement",
              parameters.model.fields != "temperature"}
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)

@@ -144,12 +144,17 @@ namespace ThermoContact
     unused.add_if(!scene.heat.has_lateral_exchange(),
                   {"Boundary/Ambient temperature"},
                   "Boundary/Lateral heat exchange = 0");
-    unused.add_if(!parameters.time.has_error_control(),
-                  {"Time/Tolerance",
-                   "Time/First step size",
+    const bool        has_fixed_steps = !parameters.time.has_error_control();
+    const bool        is_box          = scene.scheme.has_no_dispersion;
+    const std::string steps = is_box ? "Time/Scheme = " + scene.scheme.name :
+                                       "Time/Step size = a number";
+    unused.add_if(has_fixed_steps,
+                  {"Time/First step size",
                    "Time/Minimum step size",
                    "Time/Maximum step size"},
-                  "Time/Step size = a number");
+                  steps);
+    // it decides on automatic cells, which used.prm has as a number
+    unused.add_if(has_fixed_steps && !is_box, {"Time/Tolerance"}, steps);
     const OutputParameters &output = parameters.output;
     unused.add_if(output.fields_interval == 0. &&
                     output.contact_interval == 0. &&

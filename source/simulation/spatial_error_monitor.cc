@@ -363,8 +363,9 @@ namespace ThermoContact
   is_largest_force_of_mesh(const Scene                     &scene,
                            const std::vector<ContactEvent> &events)
   {
-    return 2. * scene.parameters.mesh.contact_node_length() >
-             spacing_of_largest_force(scene) &&
+    return (scene.scheme_choice.has_unresolved_fronts ||
+            2. * scene.parameters.mesh.contact_node_length() >
+              spacing_of_largest_force(scene)) &&
            std::any_of(events.begin(),
                        events.end(),
                        [](const ContactEvent &event) {
@@ -389,12 +390,20 @@ namespace ThermoContact
              "behind an impact on a rigid obstacle the force of a viscous body "
              "grows without limit as cells get smaller; remedy: the impulse, "
              "which has a limit, or Contact/Condition = normal compliance";
-    return text(
-      start,
-      "it needs nodes at most ",
-      QuantityUnits(scene.parameters).text("position", spacing),
-      " apart at the obstacle; remedy: a larger Mesh/Grading, or more "
-      "Mesh/Cells");
+    if (scene.scheme_choice.has_unresolved_fronts)
+      return start +
+             "fronts of waves ring on any, since nothing smooths them; remedy: " +
+             (scene.parameters.dimension > 1 ?
+                "the impulse, which is right, or Dimension = 1 for a rod" :
+                "Time/Scheme = box, with automatic Mesh/Cells, Mesh/Degree and "
+                "Time/Step size");
+    return text(start,
+                "it needs nodes at most ",
+                QuantityUnits(scene.parameters).text("position", spacing),
+                " apart at the obstacle; remedy: ",
+                scene.scheme.has_no_dispersion ? "" :
+                                                 "a larger Mesh/Grading, or ",
+                "more Mesh/Cells");
   }
 
 

@@ -182,8 +182,8 @@ namespace ThermoContact
         }
       if (!time.has_error_control())
         {
-          if (load.is_dirichlet)
-            return;
+          if (load.is_dirichlet || scene.scheme.has_no_dispersion)
+            return; // no other step than that of a wave through a cell
           // a rigid obstacle whose slope jumps within a step would throw its
           // nodes
           together.stretches.clear();

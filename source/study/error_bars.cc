@@ -4,6 +4,7 @@
 #include <thermocontact/base/interruption.h>
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/scene/coarser_scenes.h>
 #include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/study/error_bars.h>
@@ -107,9 +108,40 @@ namespace ThermoContact
 
 
 
+    /**
+     * (D9.5): steps and cells are coarser together, and errors of first order
+     * or more.
+     *
+     * @param values key results, for their rounding
+     * @param missed as for time_errors()
+     */
+    KeyResults
+    joined_errors(const KeyResults &values,
+                  const KeyResults &missed,
+                  const KeyResults &near,
+                  const KeyResults &far)
+    {
+      KeyResults bars = all_unknown();
+      for (auto &[k, bar] : bars)
+        {
+          bar = std::abs(near.at(k));
+          for (const double other :
+               {std::abs(far.at(k)) / 3.,
+                missed.at(k),
+                Tolerances::rounding_of_data * std::abs(values.at(k))})
+            if (other > bar)
+              bar = other;
+        }
+      return bars;
+    }
+
+
+
     /** (D9.4) of what differences there are. */
     KeyResults
     space_errors(const Parameters  &parameters,
+                 const KeyResults  &values,
+                 const KeyResults  &missed,
                  const KeyResults  &time,
                  const Differences &differences_of)
     {
@@ -123,6 +155,8 @@ namespace ThermoContact
       KeyResults far = bars;
       if (scenes.size() > 1)
         far = differences_of(scenes[1]).value_or(far);
+      if (scenes[0].has_coarser_steps)
+        return joined_errors(values, missed, *near, far);
       const double smallest = scenes[0].smallest_rate;
       const double largest  = largest_rate(*near, far, time, smallest);
       for (auto &[k, bar] : bars)
@@ -187,14 +221,16 @@ namespace ThermoContact
     KeyResults missed;
     for (const auto &[k, value] : values)
       missed[k] = smooth.at(k) - value;
-    errors.time  = time_errors(scene.parameters, missed, differences);
-    errors.space = space_errors(scene.parameters, errors.time, differences);
+    errors.time = time_errors(scene.parameters, missed, differences);
+    errors.space =
+      space_errors(scene.parameters, values, missed, errors.time, differences);
     // a warning of the run says why
     const bool has_largest_force =
       !is_largest_force_of_mesh(scene, simulation.events());
     for (const std::string &k : results_with_error_bars())
       if (std::isnan(values.at(k)) ||
-          (k == "max_contact_force" && !has_largest_force))
+          (!has_largest_force &&
+           (k == "max_contact_force" || k == "max_penetration")))
         errors.time[k] = errors.space[k] = nan;
     return errors;
   }

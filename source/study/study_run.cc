@@ -146,6 +146,7 @@ namespace ThermoContact
                                   foreign_entries(scene, reader.prm()),
                                   reader.prm(),
                                   reader.assignments(),
+                                  scene.scheme_choice,
                                   MPI_COMM_SELF);
           }
         for (unsigned int i = 0; i < n_repetitions; ++i)

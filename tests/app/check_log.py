@@ -200,8 +200,8 @@ def expected_steps(run):
         s.number(f"Output/{name} interval") for name in ("Fields", "Contact", "Space-time")
         if s.get("Output/Land on output times") == "true"]
     more = sum(T / interval for interval in intervals if interval)
-    if s["Time/Step size"] != "automatic":
-        return more + math.ceil(T / s.number("Time/Step size") * (1 - 1e-6)) + sum(
+    if not s.has_error_control():
+        return more + math.ceil(T / s.step_size() * (1 - 1e-6)) + sum(
             0 < float(time) < T for time in s.get("Time/Break points", "").split(";") if time)
     order = {"sdirk3": 3, "sdirk4": 4, "energy conserving": 2}[s["Time/Scheme"]]
     tolerance, n, least = s.number("Time/Tolerance"), (3 * heat + 1.7 * moves) * min(1, T**0.5), 0

@@ -182,7 +182,7 @@ SCENES = [
      "Contact/Massless nodes=automatic", "Contact/Massless nodes=off"),
     ("Mesh/Mass matrix", BOX + WAVES, "Mesh/Mass matrix=lumped",
      "Mesh/Mass matrix=consistent", ("Mesh/Mass matrix=lumped", "Time/Scheme=sdirk4")),
-    ("Time/Step size", WAVES + ("Time/Scheme=box",), "Time/Step size=automatic",
+    ("Time/Step size", WAVES + ("Time/Scheme=energy conserving",), "Time/Step size=automatic",
      "Time/Step size=0.01"),
     ("Time/Locate contact events", BOX + WAVES, "Time/Locate contact events=true",
      "Time/Locate contact events=false", POWER, "Contact/Damping=1",

@@ -130,7 +130,8 @@ def scaled(scene):
 def body(entries):
     def relation(scene):
         is_large = entries["Dimension"] == "3" and scene["Mesh/Degree"] != "2"
-        if scene["Dimension"] != "1" or "Boundary/Lateral heat exchange" in scene or is_large:
+        if scene["Dimension"] != "1" or "Boundary/Lateral heat exchange" in scene or is_large \
+                or scene.get("Time/Scheme") == "box":
             return None
         elastic = {"Model/Poisson ratio": "0.3", "Boundary/Lateral support": "rollers",
                    } if moves(scene) else {}
@@ -214,7 +215,7 @@ def conserving(scene):
 def alone(scene):
     """Nothing acts on the temperature."""
     if not (has_heat(scene) and moves(scene)) or exchange_varies(scene) or \
-            "Time/Tolerance" in scene:
+            "Time/Tolerance" in scene or scene.get("Time/Scheme") == "box":
         return None
     both = {key: value for key, value in scene.items() if not key.startswith("Contact/")} | {
         "Model/Thermoelastic heating": "false", "Contact/Condition": "none"}

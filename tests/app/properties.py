@@ -704,8 +704,10 @@ def check_head(run):
         lines["body"] += f", sides 1 : {across / cells / width:g}, lateral faces: "
         lines |= {"memory": "about 0.1",  # 0.17 GB of the process itself, and a bit
                   "set up": f" s, factorised at once: {run.summary['factorized_unknowns']}"}
-    if s["Time/Step size"] != "automatic":
-        lines["time"] = f"dt = 0.01, {100 * s.number('Time/End time'):g} steps, " + lines["time"]
+    if not s.has_error_control():
+        size, end = s.step_size(), s.number("Time/End time")
+        lines["time"] = (f"dt = {size:g}, {math.ceil(end / size * (1 - 1e-6)):g} steps, " +
+                         lines["time"])
     if scene.moves:
         lines["model"] = f"b = {scene.b:g}, zeta = {scene.zeta:g}"
     if scene.has_heat:
@@ -724,7 +726,7 @@ def check_head(run):
     if scene.has_obstacle and scene.condition != "rigid" and not re.search(
             rf"^  contact +.*epsilon = {scene.epsilon:g},", run.log, re.MULTILINE):
         yield f"contact: not epsilon = {scene.epsilon:g}"
-    is_fast = s["Time/Step size"] == "automatic" and any(
+    is_fast = s.has_error_control() and any(
         re.search(r"(sin|cos)\(\d\*t", value) for value in s.values())
     if is_fast != (" steps end at 0 jumps and 0 kinks, and are at most " in run.log):
         yield "loads"

@@ -61,7 +61,8 @@ def compiled(expression):
 
 
 class Settings(dict):
-    """The entries of a file used.prm as "Section/Entry"; others are absent."""
+    """The entries of a file used.prm as "Section/Entry"; others are absent, and remarks
+    behind values."""
 
     def __init__(self, path):
         super().__init__()
@@ -72,7 +73,17 @@ class Settings(dict):
             elif line == "end":
                 section = ""
             elif match := re.match(r" *set (.*?) *=\s*(.*)", line):
-                self[section + match[1]] = match[2].strip()
+                self[section + match[1]] = match[2].split(" # ")[0].strip()
+
+    def has_error_control(self):
+        """Steps follow a tolerance; those of the scheme box are automatic, too."""
+        return self["Time/Step size"] == "automatic" and self["Time/Scheme"] != "box"
+
+    def step_size(self):
+        """One that is fixed."""
+        return (self.number("Time/Step size") if self["Time/Step size"] != "automatic" else
+                self.number("Model/Inertia")**0.5 / self.number("Mesh/Cells") /
+                2**self.number("Mesh/Refinements"))
 
     def number(self, name, default=0.0):
         """A number; default if the scene has no such entry."""

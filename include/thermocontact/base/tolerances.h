@@ -192,6 +192,15 @@ namespace ThermoContact
     /** Step sizes this close to the passage of a cell are meant to be it. */
     inline constexpr double same_step_size = 1e-9;
 
+    /**
+     * Nodes of a mesh in the length of a front from which on the peak force is
+     * right to about 1e-3, measured.
+     */
+    inline constexpr double nodes_of_front = 8.;
+
+    /** Cells times steps of a run that nobody has asked for: some seconds. */
+    inline constexpr double most_cell_steps = 1e8;
+
     // ---- forecasts
 
     /** Tolerance of the run on a few cells that finds the first impact. */

@@ -112,8 +112,11 @@ namespace ThermoContact
   /** Section Mesh. */
   struct MeshParameters
   {
-    unsigned int cells          = 8;
-    unsigned int degree         = 4;
+    /** Those of a mesh whose cells and degree are automatic. */
+    static constexpr unsigned int cells_by_default = 8, degree_by_default = 4;
+
+    unsigned int cells          = 0; ///< 0: automatic, until a Scene has it
+    unsigned int degree         = 0; ///< likewise
     unsigned int refinements    = 0;
     double       grading        = 1.;
     std::string  mass_matrix    = "consistent";
@@ -177,10 +180,15 @@ namespace ThermoContact
 
 
 
+  /** The Time/Scheme that choose_scheme() decides. */
+  inline const std::string automatic_scheme = "automatic";
+
+
+
   /** Section Time. */
   struct TimeParameters
   {
-    std::string           scheme   = default_scheme().name;
+    std::string           scheme   = automatic_scheme;
     std::string           start    = "automatic";
     double                end_time = 10.;
     std::optional<double> step_size;        ///< none: error-controlled

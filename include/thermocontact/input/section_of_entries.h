@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace ThermoContact
@@ -21,6 +22,12 @@ namespace ThermoContact
     /** @p word, or a number that is not negative. */
     static NumberOrText
     word(const std::string &word);
+
+    /** @p word, or a whole number from @p smallest to @p largest. */
+    static NumberOrText
+    word_or_count(const std::string &word,
+                  const int          smallest,
+                  const int          largest);
 
     /**
      * A number, or an expression, whose text is not looked at.
@@ -52,13 +59,22 @@ namespace ThermoContact
     }
 
   private:
-    std::string                             the_word;
-    std::string                             names;
-    std::optional<dealii::Patterns::Double> number; ///< none: anything
+    /** The pattern of a number; none: anything. */
+    using Number = std::variant<std::monostate,
+                                dealii::Patterns::Double,
+                                dealii::Patterns::Integer>;
 
-    NumberOrText(const std::string                             &word,
-                 const std::string                             &names,
-                 const std::optional<dealii::Patterns::Double> &number);
+    std::string the_word;
+    std::string names;
+    Number      number;
+
+    NumberOrText(const std::string &word,
+                 const std::string &names,
+                 const Number      &number);
+
+    /** Null: anything. */
+    const PatternBase *
+    pattern_of_number() const;
   };
 
 
@@ -119,10 +135,16 @@ namespace ThermoContact
                std::optional<double> &value,
                const NumberOrText    &pattern);
 
-    /** or for an infinite one. */
+    /** or for an infinite one, */
     Entry
     operator()(const std::string  &name,
                double             &value,
+               const NumberOrText &pattern);
+
+    /** or for a count of 0. */
+    Entry
+    operator()(const std::string  &name,
+               unsigned int       &count,
                const NumberOrText &pattern);
 
     using Action = std::function<void(const std::string &)>;

@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/types.h>
 #include <thermocontact/input/parameter_text.h>
+#include <thermocontact/scene/scheme_choice.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -71,6 +72,8 @@ namespace ThermoContact
    * @param omit paths of entries that are left out
    * @param assignments of the file: those in SI units stand as they are given,
    *   with their values in the scene behind them
+   * @param choice of entries that are automatic, which stand as they are
+   *   chosen, with the reason
    * @throw ComputationError if the file cannot be written
    */
   void
@@ -78,6 +81,7 @@ namespace ThermoContact
                         const std::set<std::string>   &omit,
                         const ParameterHandler        &prm,
                         const std::vector<Assignment> &assignments,
+                        const SchemeChoice            &choice,
                         const MPI_Comm                 communicator);
 } // namespace ThermoContact
 

@@ -22,6 +22,9 @@ namespace ThermoContact
     /** In space: no error is trusted to fall faster from this mesh on, (D9.4).
      */
     double smallest_rate = 0.;
+
+    /** Its steps are larger, too, by as much as its cells, (D9.5). */
+    bool has_coarser_steps = false;
   };
 
 

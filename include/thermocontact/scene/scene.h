@@ -11,6 +11,7 @@
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/rest_profile.h>
 #include <thermocontact/method/scheme.h>
+#include <thermocontact/scene/scheme_choice.h>
 #include <thermocontact/scene/solver_cost.h>
 
 #include <algorithm>
@@ -347,8 +348,12 @@ namespace ThermoContact
      */
     explicit Scene(const Parameters &parameters);
 
-    const Parameters  parameters; ///< as written: for files and words
-    const SceneFields fields;
+    const SchemeChoice scheme_choice; ///< of entries that are automatic
+
+    /** For files and words: as written, but for those. */
+    const Parameters &parameters = scheme_choice.parameters;
+
+    const SceneFields                         fields;
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
 

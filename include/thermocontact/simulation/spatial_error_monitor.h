@@ -173,8 +173,10 @@ namespace ThermoContact
   double
   spacing_of_largest_force(const Scene &scene);
 
-  /** True if there was an impact, and the end node stands for more than half of
-   * that. */
+  /**
+   * True if there was an impact, and the end node stands for more than half of
+   * that, or the mesh has fronts that it does not resolve (SchemeChoice).
+   */
   bool
   is_largest_force_of_mesh(const Scene                     &scene,
                            const std::vector<ContactEvent> &events);

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/number_text.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
+#include <thermocontact/input/load_enclosure.h>
+#include <thermocontact/input/parameter_file.h>
+#include <thermocontact/scene/scheme_choice.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    /** Cells of a rod without dispersion are a multiple, for coarser runs. */
+    constexpr unsigned int multiple_of_cells = 8;
+
+    /** Of which there are at least that many. */
+    constexpr unsigned int fewest_cells = 40;
+
+    /** Of the nodes of a mesh whose cells and degree are automatic. */
+    constexpr double spacing_by_default =
+      1. /
+      (MeshParameters::cells_by_default * MeshParameters::degree_by_default);
+
+
+
+    /** The same of a mesh of which cells, degree or both may be automatic. */
+    double
+    spacing(const MeshParameters &mesh)
+    {
+      const double cells =
+        mesh.cells > 0 ? mesh.cells : MeshParameters::cells_by_default;
+      const double degree =
+        mesh.degree > 0 ? mesh.degree : MeshParameters::degree_by_default;
+      return std::ldexp(1. / (cells * degree),
+                        -static_cast<int>(mesh.refinements));
+    }
+
+
+
+    /**
+     * Over which viscosity spreads a front while it passes the body: diffusion
+     * with the coefficient $\zeta/b$ in the time $\sqrt b$.
+     */
+    double
+    length_of_diffusion(const ModelParameters &model)
+    {
+      return std::sqrt(model.viscosity / std::sqrt(model.inertia));
+    }
+
+
+
+    /**
+     * The cells of a scheme of second order: twice as many as the root of one
+     * over the tolerance.
+     */
+    unsigned int
+    cells_of_tolerance(const double tolerance)
+    {
+      const double cells = 2. / std::sqrt(tolerance);
+      return std::max(fewest_cells,
+                      multiple_of_cells * static_cast<unsigned int>(std::ceil(
+                                            cells / multiple_of_cells)));
+    }
+
+
+
+    Expression
+    read(const Parameters  &parameters,
+         const std::string &path,
+         const std::string &text)
+    {
+      ExpressionNames names = parameters.names(path);
+      names.constants.emplace("theta_A",
+                              parameters.boundary.fixed_end_temperature);
+      return Expression(path, text, names);
+    }
+
+
+
+    /** Value and slope in x of an entry at the start. */
+    NumberJet
+    jet_in_x(const Expression &expression, const double x)
+    {
+      const NumberJet variables[] = {NumberJet(x, 1., 0.),
+                                     NumberJet(0.),
+                                     NumberJet(0.),
+                                     NumberJet(0.)};
+      return expression.evaluate(variables);
+    }
+
+
+
+    /** Jumps, or also kinks, of a function in the run. */
+    bool
+    has_breaks(const TimeFunction &function,
+               const double        end_time,
+               const bool          are_kinks_breaks)
+    {
+      if (!(end_time > 0.) || !function.expression.depends_on("t"))
+        return false;
+      const EnclosedLoad load = enclose_load(function, end_time);
+      return std::any_of(load.history.breaks.begin(),
+                         load.history.breaks.end(),
+                         [=](const LoadBreak &at) {
+                           return at.is_jump || are_kinks_breaks;
+                         });
+    }
+
+
+
+    /** Whether a traction jumps, also at the start of a run. */
+    bool
+    has_jump_of_traction(const Parameters &parameters)
+    {
+      const TimeFunction traction(read(parameters,
+                                       "Sources/End traction",
+                                       parameters.sources.end_traction),
+                                  dealii::Point<1>(1.));
+      if (has_breaks(traction, parameters.time.end_time, false))
+        return true;
+      const InitialValuesParameters &initial = parameters.initial_values;
+      const Expression               displacement =
+        read(parameters, "Initial values/Displacement", initial.displacement);
+      const double     coupling = parameters.model.fields == "displacement" ?
+                                    0. :
+                                    parameters.model.coupling;
+      const Expression temperature =
+        read(parameters,
+             "Initial values/Temperature",
+             coupling == 0. ? "0" : initial.temperature);
+      double stress = 0., largest = std::abs(traction.value(0.));
+      constexpr unsigned int n_places = 4;
+      for (unsigned int i = 0; i <= n_places; ++i)
+        {
+          const double x       = i / static_cast<double>(n_places);
+          const double strain  = jet_in_x(displacement, x).first;
+          const double thermal = coupling * jet_in_x(temperature, x).value;
+          stress               = strain - thermal;
+          largest = std::max({largest, std::abs(strain), std::abs(thermal)});
+        }
+      return std::abs(stress - traction.value(0.)) >
+             Tolerances::rounding_of_data * largest;
+    }
+
+
+
+    /** Whether the velocity of the fixed end jumps, also at the start. */
+    bool
+    has_jump_of_velocity(const Parameters &parameters)
+    {
+      const std::string &motion = parameters.boundary.fixed_end_displacement;
+      if (equal_values(motion, "0"))
+        return false;
+      const TimeFunction end(
+        read(parameters, "Boundary/Fixed end displacement", motion));
+      const double given = end.derivatives(0.).first;
+      const double there = jet_in_x(read(parameters,
+                                         "Initial values/Velocity",
+                                         parameters.initial_values.velocity),
+                                    0.)
+                             .value;
+      return std::abs(given - there) >
+               Tolerances::continuous_velocity *
+                 std::max(std::abs(given), std::abs(there)) ||
+             has_breaks(end, parameters.time.end_time, true);
+    }
+
+
+
+    /**
+     * The entry that the scheme without dispersion cannot have; empty: there is
+     * none.
+     */
+    std::string
+    entry_against_box(const Parameters &parameters)
+    {
+      const MeshParameters &mesh = parameters.mesh;
+      const TimeParameters &time = parameters.time;
+      const auto as_text = [](const std::string &path, const auto &value) {
+        return text(path, " = ", value);
+      };
+      if (parameters.dimension > 1)
+        return as_text("Dimension", parameters.dimension);
+      if (mesh.degree > 1)
+        return as_text("Mesh/Degree", mesh.degree);
+      if (mesh.grading != 1.)
+        return as_text("Mesh/Grading", mesh.grading);
+      if (mesh.mass_matrix != "consistent")
+        return as_text("Mesh/Mass matrix", mesh.mass_matrix);
+      if (time.step_size)
+        return "Time/Step size = a number";
+      if (time.first_step_size)
+        return "Time/First step size = a number";
+      if (time.minimum_step_size > 0.)
+        return "Time/Minimum step size = a number";
+      if (std::isfinite(time.maximum_step_size))
+        return "Time/Maximum step size = a number";
+      if (time.start == "paper")
+        return as_text("Time/Start", time.start);
+      if (time.locate_contact_events == "true")
+        return as_text("Time/Locate contact events",
+                       time.locate_contact_events);
+      if (!time.break_points.empty())
+        return "Time/Break points";
+      if (parameters.contact.massless_nodes == "on")
+        return "Contact/Massless nodes = on";
+      if (parameters.solver.step_solver != "monolithic")
+        return as_text("Solver/Step solver", parameters.solver.step_solver);
+      if (parameters.solver.linear_solver == "iterative")
+        return "Solver/Linear solver = iterative";
+      if (parameters.output.land_on_times)
+        return "Output/Land on output times = true";
+      if (parameters.output.period > 0.)
+        return "Output/Period = a number";
+      return "";
+    }
+
+
+
+    /**
+     * True if fronts pass through the body that are sharper than a mesh with
+     * nodes @p spacing apart resolves.
+     */
+    bool
+    has_sharp_fronts(const Parameters &parameters, const double spacing)
+    {
+      const double resolved = Tolerances::nodes_of_front * spacing;
+      if (length_of_diffusion(parameters.model) >= resolved)
+        return false;
+      const auto law =
+        contact_law(parameters.contact.condition).make(parameters.contact.law);
+      if (law->is_active() &&
+          !(law->is_linear() && law->tangent(0.) >= resolved))
+        return true;
+      return parameters.dimension == 1 && (has_jump_of_traction(parameters) ||
+                                           has_jump_of_velocity(parameters));
+    }
+
+
+
+    /** Why a scene has the default scheme; empty: box is better. */
+    std::string
+    reason_for_default(const Parameters &parameters)
+    {
+      const ModelParameters &model = parameters.model;
+      if (model.fields == "temperature")
+        return "there is no displacement";
+      if (!(model.inertia > 0.))
+        return "without inertia there are no waves";
+      const MeshParameters &mesh = parameters.mesh;
+      if (!has_sharp_fronts(parameters,
+                            mesh.degree > 1 ? spacing(mesh) :
+                                              spacing_by_default))
+        return "all waves are smooth";
+      const std::string entry = entry_against_box(parameters);
+      return entry.empty() ? "" : "box cannot have " + entry;
+    }
+
+
+
+    /** The time in which a wave passes a cell, $h\sqrt b$. */
+    double
+    passage_of_cell(const Parameters &parameters)
+    {
+      return std::ldexp(std::sqrt(parameters.model.inertia) /
+                          parameters.mesh.cells,
+                        -static_cast<int>(parameters.mesh.refinements));
+    }
+
+
+
+    /** The entries with this scheme, and all that follows from it. */
+    SchemeChoice
+    with_scheme(const Parameters  &written,
+                const Scheme      &scheme,
+                const std::string &reason)
+    {
+      SchemeChoice choice{written, {}, reason, false};
+      Parameters  &parameters = choice.parameters;
+      if (written.time.scheme == automatic_scheme)
+        {
+          parameters.time.scheme = scheme.name;
+          choice.entries.push_back({"Time/Scheme", scheme.name});
+        }
+      const auto choose = [&](const std::string &path,
+                              unsigned int      &count,
+                              const unsigned int value) {
+        if (count > 0)
+          return;
+        count = value;
+        choice.entries.push_back({path, text(value)});
+      };
+      const bool is_box = scheme.has_no_dispersion;
+      choose("Mesh/Cells",
+             parameters.mesh.cells,
+             is_box ? cells_of_tolerance(written.time.tolerance) :
+                      MeshParameters::cells_by_default);
+      choose("Mesh/Degree",
+             parameters.mesh.degree,
+             is_box ? 1 : MeshParameters::degree_by_default);
+      if (const double passage = passage_of_cell(parameters);
+          is_box && !parameters.time.step_size && passage > 0.)
+        parameters.time.step_size = passage;
+      choice.has_unresolved_fronts =
+        !is_box && parameters.model.fields != "temperature" &&
+        parameters.model.inertia > 0. &&
+        has_sharp_fronts(parameters, spacing(parameters.mesh));
+      return choice;
+    }
+  } // namespace
+
+
+
+  const std::string *
+  SchemeChoice::find(const std::string &path) const
+  {
+    for (const ChosenEntry &entry : entries)
+      if (entry.path == path)
+        return &entry.value;
+    return nullptr;
+  }
+
+
+
+  bool
+  has_smooth_waves(const Parameters &parameters)
+  {
+    return parameters.model.fields == "temperature" ||
+           !(parameters.model.inertia > 0.) ||
+           length_of_diffusion(parameters.model) >=
+             Tolerances::nodes_of_front * spacing(parameters.mesh);
+  }
+
+
+
+  SchemeChoice
+  choose_scheme(const Parameters &written)
+  {
+    if (written.time.scheme != automatic_scheme)
+      return with_scheme(written, scheme(written.time.scheme), "");
+    std::string reason = reason_for_default(written);
+    if (!reason.empty())
+      return with_scheme(written, default_scheme(), reason);
+    const SchemeChoice choice =
+      with_scheme(written,
+                  *find_scheme(
+                    [](const Scheme &s) { return s.has_no_dispersion; }),
+                  "waves are sharp, and nothing smooths them");
+    const Parameters &parameters = choice.parameters;
+    const double      n_steps =
+      parameters.time.end_time / *parameters.time.step_size;
+    if (n_steps *
+          std::ldexp(parameters.mesh.cells, parameters.mesh.refinements) <=
+        Tolerances::most_cell_steps)
+      return choice;
+    return with_scheme(written,
+                       default_scheme(),
+                       "box would take " + about(n_steps) + " steps");
+  }
+} // namespace ThermoContact

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Time/Scheme = automatic, and what the defaults say of fronts in a rod.
+//
+// 1. Which scheme, cells and degree: a front has the length L =
+// (zeta/b^(1/2))^(1/2),
+//    or that of a linear obstacle, eps, and needs eight nodes of the default
+//    mesh, 32 to the rod: L >= 1/4, zeta >= 1/16 for b = 1, 1/4 for b = 16, eps
+//    >= 1/4. The box scheme has 2 tolerance^(-1/2) cells, in multiples of 8:
+//    632.5 -> 640, 200, and not less than 40. Without an obstacle fronts
+//    are made by a traction that jumps in the run or at its start (where u_x -
+//    a theta is not the traction), and by the velocity of the fixed end, but
+//    not by what bends or begins like t^2.
+// 2. A second choice on top of the first changes nothing.
+// 3. An obstacle at g = -V t meets a rod at rest, b = 1, zeta = 0: the force is
+// V until
+//    the wave returns at t = 2, the impulse V t. On any number of cells, also
+//    with b = 4, where the force is V b^(1/2) until t = 4. The same as a strip
+//    between rollers says that its largest force is that of the mesh, and so
+//    does sdirk4.
+// 4. A rod under gravity f = 1, rigid at g = 0.3. The end falls like t^2/2 and
+//    meets the obstacle at t = 0.6^(1/2) = 0.77460. By d'Alembert contact
+//    begins again at 3.1056, 5.5526, 8.6324, 11.000; the largest force
+//    is 1.000, the impulse up to t = 12 3.300 (published values).
+
+#include <thermocontact/scene/scheme_choice.h>
+#include <thermocontact/simulation/simulation.h>
+#include <thermocontact/simulation/spatial_error_monitor.h>
+
+#include <cmath>
+#include <string>
+
+#include "../tests.h"
+
+#include "../overrides.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  const Overrides elastic = {"Model/Fields=displacement",
+                             "Model/Viscosity=0",
+                             "Contact/Condition=rigid",
+                             "Initial values/Velocity=0"};
+
+  void
+  choose(const std::string &name, const Overrides &overrides)
+  {
+    const SchemeChoice choice = choose_scheme(read_parameters("", overrides));
+    const Parameters  &chosen = choice.parameters;
+    deallog << name << ": " << chosen.time.scheme << ", " << chosen.mesh.cells
+            << " cells of degree " << chosen.mesh.degree
+            << (choice.has_unresolved_fronts ? ", fronts unresolved" : "")
+            << std::endl;
+    const SchemeChoice again = choose_scheme(chosen);
+    if (!again.entries.empty() ||
+        again.parameters.time.scheme != chosen.time.scheme ||
+        again.parameters.mesh.cells != chosen.mesh.cells ||
+        again.parameters.time.step_size != chosen.time.step_size)
+      deallog << "a second choice differs" << std::endl;
+  }
+
+
+
+  template <int dim>
+  void
+  meet_moving_wall(const std::string &name, const Overrides &more)
+  {
+    const Parameters parameters =
+      read_parameters("", elastic + Overrides{"Contact/Gap=-0.01*t"} + more);
+    Simulation<dim> simulation(parameters, MPI_COMM_SELF);
+    simulation.run();
+    const RunHistory &history = simulation.history();
+    const double      root    = std::sqrt(parameters.model.inertia);
+    deallog << name << ": ";
+    if (is_largest_force_of_mesh(simulation.scene(), history.events))
+      deallog << "the largest force is that of the mesh" << std::endl;
+    else
+      deallog << "force "
+              << noise_within(std::abs(
+                                history.max_contact_force / (0.01 * root) - 1.),
+                              1e-11)
+              << ", impulse "
+              << noise_within(std::abs(history.record.contact_impulse /
+                                         (0.01 * root * history.record.time) -
+                                       1.),
+                              1e-11)
+              << std::endl;
+  }
+
+
+
+  void
+  fall()
+  {
+    Simulation<1> simulation(read_parameters("",
+                                             elastic +
+                                               Overrides{"Contact/Gap=0.3",
+                                                         "Sources/Body force=1",
+                                                         "Time/End time=12"}),
+                             MPI_COMM_SELF);
+    simulation.run();
+    const double begins[] = {std::sqrt(0.6), 3.1056, 5.5526, 8.6324, 11.};
+    unsigned int n        = 0;
+    double       error    = 0.;
+    for (const ContactEvent &event : simulation.events())
+      if (event.kind == ContactEvent::begin && n < 5)
+        {
+          raise(error, std::abs(event.time / begins[n] - 1.));
+          ++n;
+        }
+    const RunHistory &history = simulation.history();
+    deallog << "gravity: " << n << " begins " << noise_within(error, 1e-3)
+            << ", force "
+            << noise_within(std::abs(history.max_contact_force - 1.), 0.01)
+            << ", impulse "
+            << noise_within(std::abs(history.record.contact_impulse / 3.3 - 1.),
+                            1e-3)
+            << std::endl;
+  }
+} // namespace
+
+
+
+void
+main_automatic_scheme()
+{
+  initlog();
+
+  choose("default", {});
+  choose("zeta 0.0626", {"Model/Viscosity=0.0626"});
+  choose("zeta 0.0624", {"Model/Viscosity=0.0624"});
+  choose("b 16, zeta 0.251", {"Model/Inertia=16", "Model/Viscosity=0.251"});
+  choose("b 16, zeta 0.249", {"Model/Inertia=16", "Model/Viscosity=0.249"});
+  choose("no inertia", {"Model/Inertia=0", "Model/Viscosity=0"});
+  choose("heat alone", {"Model/Fields=temperature"});
+  choose("rigid", elastic);
+  choose("tolerance 1e-4", elastic + Overrides{"Time/Tolerance=1e-4"});
+  choose("tolerance 0.1", elastic + Overrides{"Time/Tolerance=0.1"});
+  choose("12 cells", elastic + Overrides{"Mesh/Cells=12"});
+  choose("degree 1", elastic + Overrides{"Mesh/Degree=1"});
+  choose("degree 3", elastic + Overrides{"Mesh/Degree=3"});
+  choose("fixed steps", elastic + Overrides{"Time/Step size=0.01"});
+  choose("sdirk4", elastic + Overrides{"Time/Scheme=sdirk4"});
+  choose("box", {"Time/Scheme=box", "Model/Viscosity=0"});
+  choose("T 1e4", elastic + Overrides{"Time/End time=1e4"});
+  choose("strip", elastic + Overrides{"Dimension=2"});
+  const Overrides soft = {"Model/Viscosity=0"};
+  choose("eps 0.26", soft + Overrides{"Contact/Compliance=0.26"});
+  choose("eps 0.24", soft + Overrides{"Contact/Compliance=0.24"});
+  const Overrides free = {"Model/Viscosity=0", "Contact/Condition=none"};
+  choose("free", free);
+  choose("pull from the start", free + Overrides{"Sources/End traction=1"});
+  choose("pull that grows", free + Overrides{"Sources/End traction=sin(t)"});
+  choose("pull that jumps",
+         free + Overrides{"Sources/End traction=if(t<1,0,t)"});
+  choose("initial strain in balance",
+         free + Overrides{"Initial values/Displacement=0.5*x",
+                          "Sources/End traction=0.5"});
+  const Overrides driven = free + Overrides{"Initial values/Velocity=0"};
+  choose("end with a velocity",
+         driven + Overrides{"Boundary/Fixed end displacement=0.01*t"});
+  choose("end that begins like t^2",
+         driven + Overrides{"Boundary/Fixed end displacement=0.01*t^2"});
+  choose("end that bends",
+         driven +
+           Overrides{"Boundary/Fixed end displacement=if(t<1,0,(t-1)/10)"});
+
+  meet_moving_wall<1>("defaults", {"Time/End time=1.75"});
+  for (const std::string cells : {"12", "48", "192"})
+    meet_moving_wall<1>(cells + " cells",
+                        {"Mesh/Cells=" + cells, "Time/End time=1.75"});
+  meet_moving_wall<1>("b = 4", {"Model/Inertia=4", "Time/End time=3.5"});
+  meet_moving_wall<1>("sdirk4", {"Time/Scheme=sdirk4", "Time/End time=1.75"});
+  meet_moving_wall<2>("strip",
+                      {"Dimension=2",
+                       "Mesh/Cells across=1",
+                       "Mesh/Degree=2",
+                       "Time/End time=0.5"});
+  fall();
+}
