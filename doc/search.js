@@ -1,6 +1,7 @@
 // Looks for the words of the box in searchIndex, [address, page, heading, text, words]
 // of each section, paragraph with a run-in heading, table row and class; all words, without
-// their endings, have to begin a word there. What has no vowel before its ending, as spring, has none. What is called as the query comes first.
+// their endings, have to begin a word there. A word without a vowel before
+// its ending, as spring, keeps it. A page with the title of the query comes first.
 const box = document.getElementById("search");
 const found = document.getElementById("found");
 const escaped = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);

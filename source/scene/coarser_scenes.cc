@@ -20,8 +20,7 @@ namespace ThermoContact
     /** By which the error falls at most from one degree to the next. */
     constexpr double smallest_rate_of_degrees = 0.03;
 
-    /** The same of solutions with kinks, where that is a power of the degree.
-     */
+    /** The error of solutions with kinks falls like a power of the degree. */
     constexpr double smallest_rate_of_kinks = 0.5;
 
     bool

@@ -584,16 +584,16 @@ namespace ThermoContact
       return "";
     const double mass =
       scene.material.inertia * scene.parameters.mesh.contact_node_length();
-    const double stiffness = scene.contact.law->tangent(1.);
-    return text("Contact/Massless nodes = ",
-                scene.parameters.contact.massless_nodes,
-                ": contact nodes with mass bounce on an obstacle so hard, with "
-                "a period of about ",
-                QuantityUnits(scene.parameters)
-                  .text("time",
-                        2. * dealii::numbers::PI * std::sqrt(mass * stiffness)),
-                ": steps follow them, and can be many more than the forecast; "
-                "remedy: Contact/Massless nodes = automatic");
+    const double compliance = scene.contact.law->tangent(1.);
+    return text(
+      "Contact/Massless nodes = ",
+      scene.parameters.contact.massless_nodes,
+      ": contact nodes with mass bounce on an obstacle so hard, with "
+      "a period of about ",
+      QuantityUnits(scene.parameters)
+        .text("time", 2. * dealii::numbers::PI * std::sqrt(mass * compliance)),
+      ": steps follow them, and can be many more than the forecast; "
+      "remedy: Contact/Massless nodes = automatic");
   }
 
 

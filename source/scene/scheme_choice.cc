@@ -27,7 +27,10 @@ namespace ThermoContact
 
 
 
-    /** The same of a mesh of which cells, degree or both may be automatic. */
+    /**
+     * Distance of the nodes of a mesh, cells and degree of which may be
+     * automatic.
+     */
     double
     spacing(const MeshParameters &mesh)
     {
@@ -108,6 +111,54 @@ namespace ThermoContact
                          [=](const LoadBreak &at) {
                            return at.is_jump || are_kinks_breaks;
                          });
+    }
+
+
+
+    /**
+     * Whether a function jumps in $0\lt x\lt1$: between some of many points,
+     * which are brought together, most of a difference stays.
+     */
+    template <typename Function>
+    bool
+    has_jump_in_x(const Function &value)
+    {
+      constexpr unsigned int n_spans = 64, n_halvings = 40;
+      for (unsigned int i = 0; i < n_spans; ++i)
+        {
+          double       low        = static_cast<double>(i) / n_spans;
+          double       high       = (i + 1.) / n_spans;
+          const double difference = std::abs(value(high) - value(low));
+          for (unsigned int n = 0; n < n_halvings; ++n)
+            {
+              const double middle = 0.5 * (low + high);
+              const double at     = value(middle);
+              const bool   is_low =
+                std::abs(at - value(low)) > std::abs(value(high) - at);
+              (is_low ? high : low) = middle;
+            }
+          if (std::abs(value(high) - value(low)) > 0.1 * difference &&
+              difference > 0.)
+            return true;
+        }
+      return false;
+    }
+
+
+
+    /** Whether the initial velocity or strain jumps along the rod. */
+    bool
+    has_jump_of_initial_values(const Parameters &parameters)
+    {
+      const InitialValuesParameters &initial = parameters.initial_values;
+      const Expression               velocity =
+        read(parameters, "Initial values/Velocity", initial.velocity);
+      const Expression displacement =
+        read(parameters, "Initial values/Displacement", initial.displacement);
+      return has_jump_in_x(
+               [&](const double x) { return jet_in_x(velocity, x).value; }) ||
+             has_jump_in_x(
+               [&](const double x) { return jet_in_x(displacement, x).first; });
     }
 
 
@@ -236,8 +287,10 @@ namespace ThermoContact
       if (law->is_active() &&
           !(law->is_linear() && law->tangent(0.) >= resolved))
         return true;
-      return parameters.dimension == 1 && (has_jump_of_traction(parameters) ||
-                                           has_jump_of_velocity(parameters));
+      return parameters.dimension == 1 &&
+             (has_jump_of_initial_values(parameters) ||
+              has_jump_of_traction(parameters) ||
+              has_jump_of_velocity(parameters));
     }
 
 

@@ -2,20 +2,19 @@
 //
 // Time/Scheme = automatic, and what the defaults say of fronts in a rod.
 //
-// 1. Which scheme, cells and degree: a front has the length L =
-// (zeta/b^(1/2))^(1/2),
-//    or that of a linear obstacle, eps, and needs eight nodes of the default
-//    mesh, 32 to the rod: L >= 1/4, zeta >= 1/16 for b = 1, 1/4 for b = 16, eps
-//    >= 1/4. The box scheme has 2 tolerance^(-1/2) cells, in multiples of 8:
-//    632.5 -> 640, 200, and not less than 40. Without an obstacle fronts
-//    are made by a traction that jumps in the run or at its start (where u_x -
-//    a theta is not the traction), and by the velocity of the fixed end, but
-//    not by what bends or begins like t^2.
+// 1. Which scheme, cells and degree. The length of a front is
+//    L = (zeta/b^(1/2))^(1/2), or that of a linear obstacle, eps. It needs
+//    eight nodes of the default mesh, which has 32 to the rod: L >= 1/4, that
+//    is zeta >= 1/16 for b = 1, 1/4 for b = 16, or eps >= 1/4. The box scheme
+//    has 2 tolerance^(-1/2) cells, in multiples of 8: 632.5 -> 640, 200, and
+//    not less than 40. Without an obstacle fronts are made by a traction that
+//    jumps in the run or at its start (where u_x - a theta is not the
+//    traction), by the velocity of the fixed end, and by initial values that
+//    jump, but not by inputs that bend or begin like t^2.
 // 2. A second choice on top of the first changes nothing.
 // 3. An obstacle at g = -V t meets a rod at rest, b = 1, zeta = 0: the force is
-// V until
-//    the wave returns at t = 2, the impulse V t. On any number of cells, also
-//    with b = 4, where the force is V b^(1/2) until t = 4. The same as a strip
+//    V until the wave returns at t = 2, the impulse V t. On any number of
+//    cells, also with b = 4, where the force is V b^(1/2) until t = 4. A strip
 //    between rollers says that its largest force is that of the mesh, and so
 //    does sdirk4.
 // 4. A rod under gravity f = 1, rigid at g = 0.3. The end falls like t^2/2 and
@@ -162,6 +161,12 @@ main_automatic_scheme()
          driven + Overrides{"Boundary/Fixed end displacement=0.01*t"});
   choose("end that begins like t^2",
          driven + Overrides{"Boundary/Fixed end displacement=0.01*t^2"});
+  choose("velocity that jumps",
+         free + Overrides{"Initial values/Velocity=if(x>0.3,1,0)"});
+  choose("velocity that bends",
+         free + Overrides{"Initial values/Velocity=abs(x-0.3)-0.3"});
+  choose("strain that jumps",
+         free + Overrides{"Initial values/Displacement=if(x>0.3,0.3,x)"});
   choose("end that bends",
          driven +
            Overrides{"Boundary/Fixed end displacement=if(t<1,0,(t-1)/10)"});

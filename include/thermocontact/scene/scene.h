@@ -348,6 +348,8 @@ namespace ThermoContact
      */
     explicit Scene(const Parameters &parameters);
 
+    Scene(const Scene &) = delete; // whose parameters are its own
+
     const SchemeChoice scheme_choice; ///< of entries that are automatic
 
     /** For files and words: as written, but for those. */

@@ -40,8 +40,9 @@ namespace ThermoContact
 
   /**
    * Decides them, doc/numerics.md section "Which scheme". Fronts are what an
-   * obstacle, a traction that jumps, or the jump of the velocity of the fixed
-   * end sends through a body with inertia. Viscosity spreads them over
+   * obstacle, a traction that jumps, the jump of the velocity of the fixed end,
+   * or initial values that jump send through a body with inertia. Viscosity
+   * spreads them over
    * $\sqrt{\zeta/\sqrt b}$ while they pass the body, a linear obstacle over
    * $\varepsilon$; sharp ones have less than Tolerances::nodes_of_front nodes
    * of the automatic mesh in that length. A rod with sharp fronts has the
