@@ -178,8 +178,9 @@ def interrupt(prm):
     for rank in program.started_by(process):
         os.kill(rank, signal.SIGTERM)
     message = process.communicate()[1]
+    # prterun is what mpirun of Open MPI 5 becomes
     print("SIGTERM on two ranks:", message.partition("resume:  ")[2].partition(
-        "\n")[0].replace(PROGRAM, "thermocontact"))
+        "\n")[0].replace(PROGRAM, "thermocontact").replace("prterun ", "mpirun ", 1))
     shutil.rmtree(directory)
 
 
