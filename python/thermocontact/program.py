@@ -67,8 +67,8 @@ def _temporary_result(directory, temporary):
 def _message_in(text):
     """What the program says, without what mpirun says behind it; all of the text if
     the program has said nothing."""
-    message = text.partition("thermocontact: ")[2] or text
-    return re.split(r"\n-{20,}\n", message)[0].strip()
+    message = text.partition("thermocontact: ")[2]
+    return re.split(r"\n-{20,}\n", message)[0].strip() or text.strip()
 
 
 def tell_warnings(result):
