@@ -71,6 +71,15 @@ def started_by(process):
     return children
 
 
+def is_running(number):
+    """Whether there is a process of that number, and has not ended."""
+    try:
+        state = Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state not in "ZX"
+
+
 def main():
     """On ranks the program itself, which a script names in the environment."""
     if "OMPI_COMM_WORLD_SIZE" in os.environ:
