@@ -17,10 +17,10 @@ namespace ThermoContact
     /** Cells of a rod without dispersion are a multiple, for coarser runs. */
     constexpr unsigned int multiple_of_cells = 8;
 
-    /** Of which there are at least that many. */
+    /** A rod without dispersion has at least that many cells. */
     constexpr unsigned int fewest_cells = 40;
 
-    /** Of the nodes of a mesh whose cells and degree are automatic. */
+    /** Distance of the nodes of a mesh whose cells and degree are automatic. */
     constexpr double spacing_by_default =
       1. /
       (MeshParameters::cells_by_default * MeshParameters::degree_by_default);
@@ -45,8 +45,8 @@ namespace ThermoContact
 
 
     /**
-     * Over which viscosity spreads a front while it passes the body: diffusion
-     * with the coefficient $\zeta/b$ in the time $\sqrt b$.
+     * Length over which viscosity spreads a front while it passes the body, by
+     * diffusion with the coefficient $\zeta/b$ in the time $\sqrt b$.
      */
     double
     length_of_diffusion(const ModelParameters &model)
