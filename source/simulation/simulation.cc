@@ -69,7 +69,7 @@ namespace ThermoContact
     , scene_(own_scene ? *own_scene : *borrowed)
     , body_(scene_, communicator, shared)
     , measurements(body_)
-    , integrator(scene_.scheme.integrator->make(body_))
+    , integrator(make_integrator(body_))
     , reset(body_)
     , tracker(body_, reset)
     , controller(parameters().time,

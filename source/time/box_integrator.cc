@@ -6,7 +6,6 @@
 #include <thermocontact/method/bracketed_root.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/box_integrator.h>
-#include <thermocontact/time/schemes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,57 +13,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    /** Bodies of other dimensions are refused. */
-    class BoxMaker : public IntegratorMaker
-    {
-    public:
-      std::unique_ptr<TimeIntegrator>
-      make(Body<1> &body) const override
-      {
-        return std::make_unique<BoxIntegrator>(body);
-      }
-
-      std::unique_ptr<TimeIntegrator>
-      make(Body<2> &) const override
-      {
-        AssertThrow(false, ExcInternalError());
-        return nullptr;
-      }
-
-      std::unique_ptr<TimeIntegrator>
-      make(Body<3> &) const override
-      {
-        AssertThrow(false, ExcInternalError());
-        return nullptr;
-      }
-    };
-  } // namespace
-
-
-
-  Scheme
-  box_scheme()
-  {
-    static const BoxMaker maker;
-    Scheme                scheme;
-    scheme.name = "box";
-    scheme.text =
-      "for waves in a rod, without dispersion in steps of h sqrt(b)";
-    scheme.order               = 2;
-    scheme.can_create_energy   = false;
-    scheme.has_no_dispersion   = true;
-    scheme.needs_inertia       = "without inertia there are no waves";
-    scheme.needs_factors       = true;
-    scheme.cannot_hold_contact = "a wave passes a cell in each of its steps";
-    scheme.step_exponent       = 0.5;
-    scheme.integrator          = &maker;
-    return scheme;
-  }
-
-
-
   BoxIntegrator::BoxIntegrator(Body<1> &body)
     : body(body)
     , solver(body)

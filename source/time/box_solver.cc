@@ -6,7 +6,6 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/time/box_solver.h>
-#include <thermocontact/time/schemes.h>
 
 #include <algorithm>
 

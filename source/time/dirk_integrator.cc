@@ -6,41 +6,11 @@
 #include <thermocontact/time/fixed_point_solver.h>
 #include <thermocontact/time/iterative_solver.h>
 #include <thermocontact/time/monolithic_solver.h>
-#include <thermocontact/time/schemes.h>
 
 #include <algorithm>
 
 namespace ThermoContact
 {
-  std::vector<Scheme>
-  dirk_schemes()
-  {
-    static const MakerOf<DirkIntegrator> maker;
-    std::vector<Scheme>                  schemes;
-    for (const ButcherTableau &tableau : butcher_tableaus())
-      {
-        Scheme scheme;
-        scheme.name               = tableau.name;
-        scheme.order              = tableau.order;
-        scheme.n_stages           = tableau.n_stages();
-        scheme.has_error_estimate = tableau.has_error_estimate();
-        scheme.is_of_paper        = tableau.n_stages() == 1;
-        scheme.can_create_energy  = !scheme.is_of_paper;
-        scheme.step_exponent      = 1. / tableau.order;
-        scheme.text =
-          scheme.is_of_paper ?
-            "the paper's" :
-            "L-stable, " + std::to_string(tableau.n_stages()) +
-              " solves per step" +
-              (scheme.has_error_estimate ? ", with error estimate" : "");
-        scheme.integrator = &maker;
-        schemes.push_back(scheme);
-      }
-    return schemes;
-  }
-
-
-
   namespace
   {
     /** Whose abscissae are in the order of time. */

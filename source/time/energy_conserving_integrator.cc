@@ -3,43 +3,12 @@
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/energy_conserving_integrator.h>
-#include <thermocontact/time/schemes.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace ThermoContact
 {
-  Scheme
-  energy_conserving_scheme()
-  {
-    static const MakerOf<EnergyConservingIntegrator> maker;
-    Scheme                                           scheme;
-    scheme.name                   = "energy conserving";
-    scheme.text                   = "for impacts of elastic bodies";
-    scheme.order                  = 2;
-    scheme.can_create_energy      = false;
-    scheme.needs_massless_contact = true;
-    scheme.has_mean_velocity      = true;
-    scheme.has_viscous_contact    = false;
-    scheme.needs_inertia =
-      "without inertia there is no energy of motion to conserve";
-    scheme.needs_linear_contact =
-      "the scheme knows the potential of linear laws only";
-    scheme.needs_constant_exchange =
-      "the scheme finds its pressures before it knows the temperatures";
-    scheme.needs_resting_end =
-      "its midpoint rule would let the velocity of a moving end alternate";
-    scheme.needs_factors = true;
-    scheme.cannot_hold_contact =
-      "the scheme conserves energy through contact in steps of any size";
-    scheme.step_exponent = 0.5;
-    scheme.integrator    = &maker;
-    return scheme;
-  }
-
-
-
   template <int dim>
   EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(Body<dim> &body)
     : body(body)

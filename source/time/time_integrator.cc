@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/time/box_integrator.h>
+#include <thermocontact/time/dirk_integrator.h>
+#include <thermocontact/time/energy_conserving_integrator.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <deal.II/base/mpi.h>
@@ -32,4 +35,33 @@ namespace ThermoContact
     unsigned int n_read = 0;
     visit([&](double &value) { value = values[n_read++]; });
   }
+
+
+
+  template <int dim>
+  std::unique_ptr<TimeIntegrator>
+  make_integrator(Body<dim> &body)
+  {
+    switch (body.scene.scheme.integrator)
+      {
+        case IntegratorKind::energy_conserving:
+          return std::make_unique<EnergyConservingIntegrator<dim>>(body);
+        case IntegratorKind::box:
+          if constexpr (dim == 1)
+            return std::make_unique<BoxIntegrator>(body);
+          AssertThrow(false, ExcInternalError()); // is refused
+          return nullptr;
+        default:
+          return std::make_unique<DirkIntegrator<dim>>(body);
+      }
+  }
+
+
+
+  template std::unique_ptr<TimeIntegrator>
+  make_integrator(Body<1> &);
+  template std::unique_ptr<TimeIntegrator>
+  make_integrator(Body<2> &);
+  template std::unique_ptr<TimeIntegrator>
+  make_integrator(Body<3> &);
 } // namespace ThermoContact

@@ -9,14 +9,25 @@
 
 namespace ThermoContact
 {
-  class IntegratorMaker;
+  /** What integrates in time, make_integrator(). */
+  enum class IntegratorKind
+  {
+    dirk,              ///< the stages of a Butcher tableau
+    energy_conserving, ///< the midpoint rule of doc/contact-in-time.md section
+                       ///< 6
+    box                ///< the one without dispersion there
+  };
+
+
 
   /**
    * A time integration scheme: all that the rest of the program may ask about
-   * it. Each stands in the file of its integrator, with what makes that.
+   * it.
    */
   struct Scheme
   {
+    IntegratorKind integrator = IntegratorKind::dirk;
+
     std::string  name; ///< value of Time/Scheme
     std::string  text; ///< what it is, for the parameter reference
     unsigned int order = 1;
@@ -76,16 +87,13 @@ namespace ThermoContact
     /** Steps under a tolerance $\epsilon$ are about as many as $\epsilon^{-e}$.
      */
     double step_exponent = 0.25;
-
-    /** Makes its TimeIntegrator; lives as long as the program. */
-    const IntegratorMaker *integrator = nullptr;
   };
 
 
 
   /**
-   * The schemes of the program. The list stands in the room `time`, beside the
-   * integrators.
+   * The schemes of the program: each Butcher tableau, and those that have an
+   * integrator of their own.
    */
   const std::vector<Scheme> &
   schemes();

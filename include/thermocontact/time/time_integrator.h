@@ -129,47 +129,10 @@ namespace ThermoContact
 
 
 
-  /** Makes the integrator of a scheme for a body, which is borrowed. */
-  class IntegratorMaker
-  {
-  public:
-    virtual ~IntegratorMaker() = default;
-
-    virtual std::unique_ptr<TimeIntegrator>
-    make(Body<1> &body) const = 0;
-
-    virtual std::unique_ptr<TimeIntegrator>
-    make(Body<2> &body) const = 0;
-
-    virtual std::unique_ptr<TimeIntegrator>
-    make(Body<3> &body) const = 0;
-  };
-
-
-
-  /** Makes `Integrator<dim>(body)`. */
-  template <template <int> class Integrator>
-  class MakerOf : public IntegratorMaker
-  {
-  public:
-    std::unique_ptr<TimeIntegrator>
-    make(Body<1> &body) const override
-    {
-      return std::make_unique<Integrator<1>>(body);
-    }
-
-    std::unique_ptr<TimeIntegrator>
-    make(Body<2> &body) const override
-    {
-      return std::make_unique<Integrator<2>>(body);
-    }
-
-    std::unique_ptr<TimeIntegrator>
-    make(Body<3> &body) const override
-    {
-      return std::make_unique<Integrator<3>>(body);
-    }
-  };
+  /** The integrator of the scheme of a body, which is borrowed. */
+  template <int dim>
+  std::unique_ptr<TimeIntegrator>
+  make_integrator(Body<dim> &body);
 } // namespace ThermoContact
 
 #endif
