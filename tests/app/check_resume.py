@@ -116,9 +116,9 @@ def kill_again_and_again(reference, expected, seconds):
             while run.directory.exists():  # what its processes do not take away themselves
                 shutil.rmtree(run.directory, ignore_errors=True)
         n_kills += run.kill(random.uniform(0, seconds / 10))
-    status, _ = run.finish()
+    status, message = run.finish()
     print(f"killed {n_kills} times within the time loop, resumed: status",
-          f"{status},", compare(expected, run.directory))
+          f"{status},", compare(expected, run.directory) if status == 0 else message)
 
 
 def terminate(reference, expected):

@@ -216,8 +216,12 @@ main(int argc, char **argv)
       listen(listener, 100) != 0)
     return 2;
   setenv("THERMOCONTACT_FORKS", address.sun_path, 1);
-  // mpiruns at the same time disturb each other in a common directory
-  setenv("OMPI_MCA_orte_tmpdir_base", directory.c_str(), 1);
+  // mpiruns at the same time disturb each other in a common directory, and one
+  // of Open MPI 5 does not start where an mpirun of the same process number was
+  // killed
+  for (const char *const name :
+       {"OMPI_MCA_orte_tmpdir_base", "PRTE_MCA_prte_tmpdir_base"})
+    setenv(name, directory.c_str(), 1);
 
   sigset_t of_children, before;
   sigemptyset(&of_children);
