@@ -205,9 +205,11 @@ namespace ThermoContact
 
 
   double
-  NodeLaw::change_side(const double position)
+  NodeLaw::face(const int new_side, const double position)
   {
-    side = -side;
+    if (new_side == side)
+      return position;
+    side = new_side;
     return position - side * play;
   }
 
@@ -230,6 +232,112 @@ namespace ThermoContact
     return law->damped_pressure(front_penetration(position),
                                 velocity - front_rate) -
            law->damped_pressure(rear_penetration(position), -velocity);
+  }
+
+
+
+  double
+  NodeLaw::elastic_pressure(const double position) const
+  {
+    return law->pressure(front_penetration(position)) -
+           law->pressure(rear_penetration(position));
+  }
+
+
+
+  double
+  NodeLaw::continued_pressure(const double position) const
+  {
+    return std::isinf(play) ?
+             std::copysign(law->pressure(std::abs(position)), position) :
+             elastic_pressure(position);
+  }
+
+
+
+  namespace
+  {
+    /** Factors (1 + c v) by which a pressure is divided without loss. */
+    constexpr double smallest_factor = 0.5;
+
+
+
+    /** elastic_pressure() of one obstacle, with what is positive into it. */
+    double
+    elastic_part(const ContactLaw &law,
+                 const double      pressure,
+                 const double      s,
+                 const double      v,
+                 const double      rounding)
+    {
+      const double of_law = law.pressure(s);
+      const double factor = 1. + law.damping() * v;
+      if (factor < smallest_factor)
+        return of_law;
+      if (pressure == 0.)
+        return v > 0. ? 0. : of_law;
+      const double value = pressure / factor;
+      return std::abs(law.penetration(value) - s) <= rounding ? value : of_law;
+    }
+  } // namespace
+
+
+
+  double
+  NodeLaw::elastic_pressure(const double position,
+                            const double velocity,
+                            const double pressure,
+                            const double rounding) const
+  {
+    return elastic_part(*law,
+                        std::max(pressure, 0.),
+                        front_penetration(position),
+                        velocity - front_rate,
+                        rounding) -
+           elastic_part(*law,
+                        std::max(-pressure, 0.),
+                        rear_penetration(position),
+                        -velocity,
+                        rounding);
+  }
+
+
+
+  double
+  NodeLaw::numerical_dissipation(const double position,
+                                 const double displacement,
+                                 const double way,
+                                 const double old_pressure,
+                                 const double pressure) const
+  {
+    return sign_of(pressure) > 0 ?
+             law->numerical_dissipation(displacement - way,
+                                        front_penetration(position),
+                                        old_pressure,
+                                        pressure) :
+             law->numerical_dissipation(-displacement,
+                                        rear_penetration(position),
+                                        -old_pressure,
+                                        -pressure);
+  }
+
+
+
+  double
+  NodeLaw::distance_to_branch(const double z,
+                              const double rate,
+                              const double lead) const
+  {
+    double     distance = infinity;
+    const auto look     = [&](const double value, const double value_rate) {
+      // towards the obstacle from outside, or back to it from within
+      if (value * value_rate < 0.)
+        distance = std::min(distance, std::max(-value / value_rate, lead));
+    };
+    look(front_penetration(z), rate);
+    if (std::isfinite(play))
+      look(rear_penetration(z), -rate);
+    return distance;
   }
 
 

@@ -22,7 +22,6 @@ namespace ThermoContact
     , has_matrices(scene.linear_solver.has_matrices())
     , exchange_coefficient(scene.heat.linear_coefficient())
     , lateral_exchange(scene.heat.lateral_exchange)
-    , rear_gap(scene.contact.rear_gap)
     , gap(scene.contact.gap)
   {
     if (scene.contact.law->is_active() &&
@@ -64,8 +63,8 @@ namespace ThermoContact
     auto
     members(const SpatialScene &all)
     {
-      const auto &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = all;
-      const auto others = std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
+      const auto &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = all;
+      const auto others = std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q);
       return std::tuple_cat(members(a), members(b), members(c), others);
     }
   } // namespace

@@ -52,40 +52,8 @@ namespace ThermoContact
   ContactTracker<dim>::start(const State               &initial,
                              std::vector<ContactEvent> &events)
   {
-    get_values(initial, next);
+    get_contact_values(body, initial, next);
     locator.start(next, events);
-  }
-
-
-
-  template <int dim>
-  void
-  ContactTracker<dim>::get_values(const State   &state,
-                                  ContactValues &values) const
-  {
-    const ContactEnd<dim> &end = body.contact_end();
-    values.time                = state.time;
-    end.get_values(Field::displacement,
-                   state.displacement,
-                   values.displacement);
-    for (const int side : {1, -1})
-      {
-        ContactValues::Side &seen = side > 0 ? values.front : values.rear;
-        end.get_penetrations(state, side, seen.penetration);
-        end.get_velocities_into(state, side, seen.velocity);
-      }
-    values.pressure = state.contact_pressure;
-    // a damped obstacle is left where the penetration ends
-    const ContactLaw &law = body.law();
-    if (law.damping() > 0.)
-      for (unsigned int i = 0; i < values.pressure.size(); ++i)
-        {
-          const double s     = values.front.penetration[i];
-          const double rear  = values.rear.penetration[i];
-          values.pressure[i] = std::isinf(rear) ?
-                                 std::copysign(law.pressure(std::abs(s)), s) :
-                                 law.pressure(s) - law.pressure(rear);
-        }
   }
 
 
@@ -111,14 +79,14 @@ namespace ThermoContact
           return leave_to_law();
         // Loads draw away at once what the obstacle has stopped. Stages that
         // know of no impact would throw it back instead.
-        get_values(impacted->state, next);
+        get_contact_values(body, impacted->state, next);
         locator.release(next);
         return {ContactVerdict::again};
       }
     impacted.reset();
     if (locator.switch_at_start(finding.time,
                                 finding.change_of_velocity,
-                                finding.side) &&
+                                finding.obstacle) &&
         body.scene.contact.stops_nodes() &&
         locator.mode() == ContactMode::closed)
       {
@@ -159,7 +127,7 @@ namespace ThermoContact
                              const bool         is_prescribed,
                              const double       mechanical_energy)
   {
-    get_values(result.state, next);
+    get_contact_values(body, result.state, next);
     finding = EventLocator::Finding();
     if (is_prescribed)
       locator.leave_to_law();
@@ -194,7 +162,7 @@ namespace ThermoContact
     if (!result.closed_nodes.empty() && body.law().is_rigid())
       {
         reset.settle_velocities(result.closed_nodes, result.state);
-        get_values(result.state, next);
+        get_contact_values(body, result.state, next);
       }
     const std::size_t n_events = events.size();
     locator.accept(next, finding, events, result.contact_change);
@@ -218,7 +186,7 @@ namespace ThermoContact
     if (is_impact || finding.kind == EventLocator::Finding::at_end)
       {
         // an end of contact at once is that of nodes that have stopped
-        get_values(result.state, next);
+        get_contact_values(body, result.state, next);
         locator.set_present(next);
       }
     if (impacted)
@@ -238,22 +206,22 @@ namespace ThermoContact
     // its velocity is that of the step, as are the rates that it followed
     if (body.scene.material.is_static())
       return;
-    State &state = result.state;
-    body.obstacle.set_rates(at.old_time, state);
-    const std::vector<double> old_rate(state.gap_rate);
-    body.obstacle.set_rates(at.new_time, state);
-    std::vector<NodeLaw> laws;
+    State               &state = result.state;
+    std::vector<NodeLaw> before, behind;
     std::vector<double>  position;
-    get_node_laws(body, state, laws, position);
+    body.obstacle.set_rates(at.old_time, state);
+    get_node_laws(body, state, before, position);
+    body.obstacle.set_rates(at.new_time, state);
+    get_node_laws(body, state, behind, position);
     double towards = 0., away = 0., scale = 0.;
-    for (unsigned int i = 0; i < old_rate.size(); ++i)
-      if (laws[i].side > 0) // the obstacle behind the nodes rests
-        {
-          const double rate = state.gap_rate[i];
-          towards           = std::max(towards, old_rate[i] - rate);
-          away              = std::max(away, rate - old_rate[i]);
-          scale = std::max({scale, std::abs(rate), std::abs(old_rate[i])});
-        }
+    for (unsigned int i = 0; i < before.size(); ++i)
+      {
+        const double old_rate = before[i].local_rate();
+        const double rate     = behind[i].local_rate();
+        towards               = std::max(towards, old_rate - rate);
+        away                  = std::max(away, rate - old_rate);
+        scale = std::max({scale, std::abs(rate), std::abs(old_rate)});
+      }
     const double continuous = Tolerances::continuous_velocity * scale;
     const bool   is_held =
       body.scene.contact.has_impacts() && locator.mode() == ContactMode::closed;
@@ -261,7 +229,7 @@ namespace ThermoContact
       reset.impact(result);
     else
       reset.settle_velocities(closed_nodes(result), state);
-    get_values(state, next);
+    get_contact_values(body, state, next);
     locator.set_present(next);
     if (is_held && towards <= continuous && away > continuous)
       locator.switch_at_start(state.time); // what has inertia does not follow
@@ -277,7 +245,7 @@ namespace ThermoContact
   ContactTracker<dim>::closed_nodes(const StepResult &result) const
   {
     ContactValues values;
-    get_values(result.state, values);
+    get_contact_values(body, result.state, values);
     std::vector<bool> is_closed = locator.closed_nodes(values);
     for (unsigned int i = 0; i < result.closed_nodes.size(); ++i)
       if (result.closed_nodes[i])
@@ -292,7 +260,7 @@ namespace ThermoContact
   ContactTracker<dim>::jump(const State               &state,
                             std::vector<ContactEvent> &events)
   {
-    get_values(state, next);
+    get_contact_values(body, state, next);
     locator.leave_to_law();
     const std::size_t n_events = events.size();
     locator.accept(next, {}, events);

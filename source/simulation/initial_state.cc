@@ -121,11 +121,11 @@ namespace ThermoContact
 
 
 
-    /** The entry of the gap on a side, with what it says. */
+    /** The entry of the gap before an obstacle, with what it says. */
     std::string
-    entry_of_gap(const Scene &scene, const int side)
+    entry_of_gap(const Scene &scene, const bool is_behind)
     {
-      if (side < 0)
+      if (is_behind)
         return "Contact/Rear gap = " +
                words_of_length(scene, scene.contact.rear_gap);
       return "Contact/Gap" +
@@ -171,13 +171,12 @@ namespace ThermoContact
           const double            given =
             body.data.initial_fields->value(node.position, component);
           double &projected = state.displacement.begin()[entry];
-          for (const int side : {1, -1})
-            {
-              const double place = obstacle_at(body, state.gap, i, side);
-              if (are_one(given, place) || (side * (place - given) > 0. &&
-                                            side * (place - projected) < 0.))
-                projected = place;
-            }
+          for (const ObstacleAtNode &obstacle :
+               obstacles_at_node(body.scene.contact, state, i))
+            if (are_one(given, obstacle.place) ||
+                (obstacle.penetration(given) < 0. &&
+                 obstacle.penetration(projected) > 0.))
+              projected = obstacle.place;
         }
     }
 
@@ -190,9 +189,9 @@ namespace ThermoContact
     {
       const double smallest =
         *std::min_element(state.gap.begin(), state.gap.end());
-      if (smallest + body.scene.contact.rear_gap > 0.)
+      if (!body.scene.contact.stops_overlap(smallest))
         return;
-      throw InputError(entry_of_gap(body.scene, -1) + "\n  allowed: above " +
+      throw InputError(entry_of_gap(body.scene, true) + "\n  allowed: above " +
                        words_of_length(body.scene, -smallest) +
                        ", minus the smallest Contact/Gap\n  remedy:  a larger "
                        "one: the stops overlap");
@@ -216,13 +215,20 @@ namespace ThermoContact
         scene.has_prescribed_start && scene.parameters.time.end_time > 0. ?
                     first_step_size :
                     0.;
-      std::vector<double> displacement, penetration, velocity;
+      std::vector<double> displacement, velocity;
       end.get_values(Field::displacement, state.displacement, displacement);
-      for (const int side : {1, -1})
+      end.get_values(Field::displacement, state.velocity, velocity);
+      const auto obstacle = [&](const unsigned int k, const unsigned int node) {
+        return obstacles_at_node(scene.contact, state, node)[k];
+      };
+      const unsigned int n = obstacles_at_node(scene.contact, state, 0).size();
+      for (unsigned int k = 0; k < n; ++k)
         {
-          const std::string entry = entry_of_gap(scene, side) + ": the ";
-          end.get_penetrations(state, side, penetration);
-          end.get_velocities_into(state, side, velocity);
+          const std::string entry =
+            entry_of_gap(scene, obstacle(k, 0).is_behind) + ": the ";
+          std::vector<double> penetration;
+          for (unsigned int i = 0; i < displacement.size(); ++i)
+            penetration.push_back(obstacle(k, i).penetration(displacement[i]));
           const unsigned int deepest =
             std::max_element(penetration.begin(), penetration.end()) -
             penetration.begin();
@@ -238,10 +244,11 @@ namespace ThermoContact
               "Initial values/Displacement, or Contact/Condition = normal "
               "compliance");
           for (unsigned int i = 0; i < velocity.size(); ++i)
-            if (const double way = prescribed_time * velocity[i];
-                penetration[i] + way > 0. &&
-                !are_one(displacement[i] + side * way,
-                         obstacle_at(body, state.gap, i, side)))
+            if (const double reached =
+                  displacement[i] +
+                  prescribed_time * (velocity[i] - obstacle(k, i).rate);
+                obstacle(k, i).penetration(reached) > 0. &&
+                !are_one(reached, obstacle(k, i).place))
               throw InputError(
                 entry + "prescribed first step of the paper would penetrate "
                         "the rigid obstacle\n  remedy:  Time/Start = "
@@ -274,7 +281,7 @@ namespace ThermoContact
                                     displacement);
       const QuantityUnits units(body.scene.parameters);
       warnings.push_back(text(
-        entry_of_gap(body.scene, 1),
+        entry_of_gap(body.scene, false),
         ": ",
         gap < 0. ? "negative, the undeformed body overlaps the obstacle "
                    "(preload)" :

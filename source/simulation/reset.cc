@@ -360,8 +360,7 @@ namespace ThermoContact
     std::vector<double> rate_load;
     end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
     for (unsigned int i = 0; i < p.size(); ++i)
-      if (end.side_of(p[i] * node_laws[i].side) < 0)
-        node_laws[i].side = -node_laws[i].side; // it has gone to the other side
+      node_laws[i].face_pressure(p[i]); // it may have gone to the other side
     const std::vector<double> acceleration =
       static_nodes->solve_rates(rate_load,
                                 relative_velocities(state, node_laws),
@@ -391,8 +390,7 @@ namespace ThermoContact
         make_node_equilibrium(body, body.scene.material.viscosity, counters_);
     get_velocity_laws(body, state, is_closed, node_laws);
     for (unsigned int i = 0; i < p.size(); ++i)
-      if (!is_closed[i] || node_laws[i].side * p[i] <= 0.)
-        p[i] = 0.;
+      p[i] = is_closed[i] ? node_laws[i].without_pull(p[i]) : 0.;
     const std::vector<double> change =
       viscous_nodes->solve(node_forces(state, &state.velocity),
                            node_laws,
@@ -719,7 +717,7 @@ namespace ThermoContact
     std::vector<TimeDerivatives> obstacle;
     body.obstacle.get_derivatives(state.load_time, obstacle);
     for (unsigned int i = 0; i < obstacle.size(); ++i)
-      relative.push_back(laws[i].side > 0 ? -obstacle[i].second : 0.);
+      relative.push_back(0. - laws[i].of_local(obstacle[i].second));
     inertia->solve(
       &r, laws, relative, 1., acceleration, state.contact_pressure);
     ++counters_.solves;
@@ -751,18 +749,18 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  Reset<dim>::remove_pull(const int held_at, State &state) const
+  Reset<dim>::remove_pull(const std::optional<int> held_at, State &state) const
   {
     get_node_laws(body, state, node_laws, node_positions);
     bool changed = false;
     for (unsigned int i = 0; i < node_laws.size(); ++i)
       {
         double &p = state.contact_pressure[i];
-        if ((held_at != 0 ? held_at : node_laws[i].side) * p < 0.)
-          {
-            p       = 0.;
-            changed = true;
-          }
+        if (held_at)
+          node_laws[i].face(*held_at, 0.);
+        const double push = node_laws[i].without_pull(p);
+        changed |= push != p;
+        p = push;
       }
     return changed;
   }
@@ -777,8 +775,10 @@ namespace ThermoContact
   {
     const bool is_event = finding.kind == EventLocator::Finding::at_end;
     State     &state    = result.state;
-    bool       changed =
-      remove_pull(mode == ContactMode::closed ? finding.side : 0, state);
+    bool       changed  = remove_pull(mode == ContactMode::closed ?
+                                 std::optional<int>(finding.obstacle) :
+                                 std::nullopt,
+                               state);
     double work = 0.;
     if (is_event && body.scene.contact.is_in_equilibrium() &&
         body.law().damping() == 0.) // else velocities carry pressure, too

@@ -243,7 +243,7 @@ namespace ThermoContact
       /** Of nodes with mass: what is to be added to their velocity. */
       double change_of_velocity = 0.;
 
-      int side = 1; ///< of the obstacle
+      int obstacle = 1; ///< 1 or -1, that in front or behind
     };
 
     /**

@@ -34,7 +34,6 @@ namespace ThermoContact
     bool           has_matrices;
     double exchange_coefficient; ///< $k$ of the contact end, if constant
     double lateral_exchange;     ///< $m$, (M5.5)
-    double rear_gap;             ///< $g_2$; infinite: none
     double gap;                  ///< $g$ of all nodes; 0 with a shape
     std::optional<Expression> gap_expression; ///< of a shape or a motion
 

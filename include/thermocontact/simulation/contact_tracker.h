@@ -148,9 +148,6 @@ namespace ThermoContact
     std::optional<StepResult> impacted;  ///< by an impact at its start
     unsigned int              n_retakes; ///< to the next event
 
-    void
-    get_values(const State &state, ContactValues &values) const;
-
     /** Contact changes at the start of the step. */
     ContactVerdict
     switch_state(const State &accepted, const EnergyTerms &energy);

@@ -13,6 +13,7 @@
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -320,11 +321,11 @@ namespace ThermoContact
      * @p held_at, though they may have left it for the other one, of the others
      * none at the nearer one.
      *
-     * @param held_at 1 or -1; 0: nodes are not held
+     * @param held_at nothing: nodes are not held
      * @return true if one did
      */
     bool
-    remove_pull(const int held_at, State &state) const;
+    remove_pull(const std::optional<int> held_at, State &state) const;
   };
 } // namespace ThermoContact
 
