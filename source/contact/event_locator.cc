@@ -64,7 +64,7 @@ namespace ThermoContact
 
 
   void
-  EventLocator::Scales::add(const LocalValues &local)
+  ContactProgress::Scales::add(const LocalValues &local)
   {
     for (unsigned int i = 0; i < local.size(); ++i)
       {
@@ -88,8 +88,6 @@ namespace ThermoContact
     , tolerance(tolerance)
     , has_small_changes(has_small_changes)
     , has_velocity(has_velocity)
-    , mode_(ContactMode::unilateral)
-    , is_in_contact(false)
   {}
 
 

@@ -42,6 +42,7 @@ namespace ThermoContact
               !body.scene.fields.has_temperature ||
                 body.scene.heat.exchange->is_constant(),
               !body.scene.material.is_static())
+    , n_old_events(0)
     , n_retakes(0)
   {}
 
@@ -59,118 +60,105 @@ namespace ThermoContact
 
 
   template <int dim>
-  ContactVerdict
-  ContactTracker<dim>::leave_to_law()
+  EventLocator::Finding
+  ContactTracker<dim>::judge(const TimeStep   &time_step,
+                             const StepResult &result,
+                             const double      mechanical_energy) const
   {
-    locator.leave_to_law();
-    return {ContactVerdict::again};
+    if (result.is_prescribed || locator.mode() == ContactMode::unilateral)
+      return {};
+    get_contact_values(body, result.state, next);
+    return locator.examine(next,
+                           time_step.target == TimeStep::event,
+                           {mechanical_energy,
+                            std::sqrt(2. * body.scene.material.inertia *
+                                      mechanical_energy)});
   }
 
 
 
   template <int dim>
-  ContactVerdict
-  ContactTracker<dim>::switch_state(const State       &accepted,
-                                    const EnergyTerms &energy)
+  std::optional<double>
+  ContactTracker<dim>::prepare(const EventLocator::Finding &finding,
+                               const State                 &accepted,
+                               const EnergyTerms           &energy)
   {
+    if (finding.kind == EventLocator::Finding::within &&
+        ++n_retakes < max_retakes)
+      return finding.time;
+    if (finding.kind == EventLocator::Finding::at_start &&
+        finding.is_of_all_nodes)
+      switch_state(finding, accepted, energy);
+    else
+      locator.leave_to_law();
+    return {};
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::switch_state(const EventLocator::Finding &finding,
+                                    const State                 &accepted,
+                                    const EnergyTerms           &energy)
+  {
+    const bool is_closed = locator.mode() == ContactMode::closed;
     if (impacted && body.scene.contact.has_mass())
       {
-        if (locator.mode() != ContactMode::closed)
-          return leave_to_law();
+        if (!is_closed)
+          return locator.leave_to_law();
         // Loads draw away at once what the obstacle has stopped. Stages that
         // know of no impact would throw it back instead.
         get_contact_values(body, impacted->state, next);
-        locator.release(next);
-        return {ContactVerdict::again};
+        return locator.release(next);
+      }
+    std::optional<StepResult> impact;
+    if (!is_closed && body.scene.contact.stops_nodes())
+      {
+        impact.emplace();
+        impact->state  = accepted;
+        impact->energy = energy;
+        reset.impact(*impact);
       }
     impacted.reset();
     if (locator.switch_at_start(finding.time,
                                 finding.change_of_velocity,
-                                finding.obstacle) &&
-        body.scene.contact.stops_nodes() &&
-        locator.mode() == ContactMode::closed)
-      {
-        impacted.emplace();
-        impacted->state  = accepted;
-        impacted->energy = energy;
-        reset.impact(*impacted);
-      }
-    return {ContactVerdict::again};
+                                finding.obstacle))
+      impacted = std::move(impact);
   }
 
 
 
   template <int dim>
   void
-  ContactTracker<dim>::complete(StepResult &result)
+  ContactTracker<dim>::take_back(std::vector<ContactEvent> &events)
   {
-    if (!body.obstacle.is_active() || !body.scene.contact.has_impacts())
-      return;
-    // impacts take the velocity of the obstacle, not that of the last stage
-    body.obstacle.set_rates(result.state.time, result.state);
-    if (locator.mode() != ContactMode::closed)
-      return;
-    put_on_obstacle(body, result.state); // where they are but for rounding
-    // the audit of a scheme of first order has the pressure of its stage
-    if (!body.scene.sources.has_moving_end && body.scene.scheme.order > 1)
-      reset.set_pressures_of_acceleration(result.state);
+    locator.restore(old_progress);
+    events.resize(n_old_events);
   }
 
 
 
   template <int dim>
-  ContactVerdict
-  ContactTracker<dim>::judge(const TimeStep    &time_step,
-                             const StepResult  &result,
-                             const State       &accepted,
-                             const EnergyTerms &energy,
-                             const bool         is_prescribed,
-                             const double       mechanical_energy)
+  void
+  ContactTracker<dim>::accept(const EventLocator::Finding &finding,
+                              StepResult                  &result,
+                              std::vector<ContactEvent>   &events)
   {
-    get_contact_values(body, result.state, next);
-    finding = EventLocator::Finding();
-    if (is_prescribed)
+    old_progress = locator.progress();
+    n_old_events = events.size();
+    if (result.is_prescribed) // it supposes nothing
       locator.leave_to_law();
-    if (locator.mode() != ContactMode::unilateral)
-      finding = locator.examine(next,
-                                time_step.target == TimeStep::event,
-                                {mechanical_energy,
-                                 std::sqrt(2. * body.scene.material.inertia *
-                                           mechanical_energy)});
-    switch (finding.kind)
-      {
-        case EventLocator::Finding::at_start:
-          return finding.is_of_all_nodes ? switch_state(accepted, energy) :
-                                           leave_to_law();
-        case EventLocator::Finding::within:
-          if (++n_retakes < max_retakes)
-            return {ContactVerdict::to_time, finding.time};
-          return leave_to_law();
-        default:
-          return {};
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactTracker<dim>::accept(StepResult                &result,
-                              std::vector<ContactEvent> &events)
-  {
     const ContactMode mode = locator.mode();
     if (!result.closed_nodes.empty() && body.law().is_rigid())
-      {
-        reset.settle_velocities(result.closed_nodes, result.state);
-        get_contact_values(body, result.state, next);
-      }
-    const std::size_t n_events = events.size();
+      reset.settle_velocities(result.closed_nodes, result.state);
+    get_contact_values(body, result.state, next);
     locator.accept(next, finding, events, result.contact_change);
     // a node without mass does not fly when it leaves, and then follows waves
     // shorter than those that the mesh has
     if (body.scene.contact.is_in_equilibrium() &&
         !body.scene.material.has_viscosity())
-      for (std::size_t i = n_events; i < events.size(); ++i)
+      for (std::size_t i = n_old_events; i < events.size(); ++i)
         if (events[i].kind == ContactEvent::end)
           events[i].velocity = nan;
     if (!events.empty()) // it may have been extrapolated
@@ -191,7 +179,6 @@ namespace ThermoContact
       }
     if (impacted)
       book(*impacted, result);
-    impacted.reset();
   }
 
 

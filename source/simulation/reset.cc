@@ -707,6 +707,24 @@ namespace ThermoContact
 
   template <int dim>
   void
+  Reset<dim>::complete_step(const ContactMode mode, StepResult &result)
+  {
+    if (!body.obstacle.is_active() || !body.scene.contact.has_impacts())
+      return;
+    // impacts take the velocity of the obstacle, not that of the last stage
+    body.obstacle.set_rates(result.state.time, result.state);
+    if (mode != ContactMode::closed)
+      return;
+    put_on_obstacle(body, result.state); // where they are but for rounding
+    // the audit of a scheme of first order has the pressure of its stage
+    if (!body.scene.sources.has_moving_end && body.scene.scheme.order > 1)
+      set_pressures_of_acceleration(result.state);
+  }
+
+
+
+  template <int dim>
+  void
   Reset<dim>::set_pressures_of_acceleration(State &state)
   {
     const Vector r =
