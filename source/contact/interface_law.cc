@@ -178,8 +178,8 @@ namespace ThermoContact
         // the other obstacle sees a velocity that is smaller by
         const double of_front = front_rate - local_rate();
         const double of_rear  = local_rate();
-        const double at_front = front_penetration(start) + tau * of_front;
-        const double at_rear  = rear_penetration(start) + tau * of_rear;
+        const double at_front = penetration_of(1, start) + tau * of_front;
+        const double at_rear  = penetration_of(-1, start) + tau * of_rear;
         const Damped front(*law, at_front, tau, is_held);
         const Damped rear(*law, at_rear, tau, is_held);
         return is_held ? (side > 0 ? front.resolve(z, r) :
@@ -188,8 +188,8 @@ namespace ThermoContact
       }
     if (mean_from)
       {
-        const double front = front_penetration(*mean_from);
-        const double rear  = rear_penetration(*mean_from);
+        const double front = penetration_of(1, *mean_from);
+        const double rear  = penetration_of(-1, *mean_from);
         return side > 0 ? Mean(*law, front, rear).resolve(z, r) :
                           reversed(Mean(*law, rear, front).resolve(-z, r));
       }
@@ -221,7 +221,8 @@ namespace ThermoContact
     if (law == nullptr || !law->is_active())
       return true;
     const double s = position(x);
-    return !is_held && front_penetration(s) <= 0. && rear_penetration(s) <= 0.;
+    return !is_held && penetration_of(1, s) <= 0. &&
+           penetration_of(-1, s) <= 0.;
   }
 
 
@@ -229,9 +230,12 @@ namespace ThermoContact
   double
   NodeLaw::pressure_at(const double position, const double velocity) const
   {
-    return law->damped_pressure(front_penetration(position),
-                                velocity - front_rate) -
-           law->damped_pressure(rear_penetration(position), -velocity);
+    double pressure = 0.;
+    for (const int sign : {1, -1})
+      pressure +=
+        sign * law->damped_pressure(penetration_of(sign, position),
+                                    sign * (velocity - rate_of(sign)));
+    return pressure;
   }
 
 
@@ -239,8 +243,8 @@ namespace ThermoContact
   double
   NodeLaw::elastic_pressure(const double position) const
   {
-    return law->pressure(front_penetration(position)) -
-           law->pressure(rear_penetration(position));
+    return law->pressure(penetration_of(1, position)) -
+           law->pressure(penetration_of(-1, position));
   }
 
 
@@ -289,16 +293,14 @@ namespace ThermoContact
                             const double pressure,
                             const double rounding) const
   {
-    return elastic_part(*law,
-                        std::max(pressure, 0.),
-                        front_penetration(position),
-                        velocity - front_rate,
-                        rounding) -
-           elastic_part(*law,
-                        std::max(-pressure, 0.),
-                        rear_penetration(position),
-                        -velocity,
-                        rounding);
+    double elastic = 0.;
+    for (const int sign : {1, -1})
+      elastic += sign * elastic_part(*law,
+                                     std::max(sign * pressure, 0.),
+                                     penetration_of(sign, position),
+                                     sign * (velocity - rate_of(sign)),
+                                     rounding);
+    return elastic;
   }
 
 
@@ -310,15 +312,12 @@ namespace ThermoContact
                                  const double old_pressure,
                                  const double pressure) const
   {
-    return sign_of(pressure) > 0 ?
-             law->numerical_dissipation(displacement - way,
-                                        front_penetration(position),
-                                        old_pressure,
-                                        pressure) :
-             law->numerical_dissipation(-displacement,
-                                        rear_penetration(position),
-                                        -old_pressure,
-                                        -pressure);
+    const int sign = sign_of(pressure);
+    return law->numerical_dissipation(sign *
+                                        (displacement - (sign > 0 ? way : 0.)),
+                                      penetration_of(sign, position),
+                                      sign * old_pressure,
+                                      sign * pressure);
   }
 
 
@@ -334,9 +333,9 @@ namespace ThermoContact
       if (value * value_rate < 0.)
         distance = std::min(distance, std::max(-value / value_rate, lead));
     };
-    look(front_penetration(z), rate);
+    look(penetration_of(1, z), rate);
     if (std::isfinite(play))
-      look(rear_penetration(z), -rate);
+      look(penetration_of(-1, z), -rate);
     return distance;
   }
 

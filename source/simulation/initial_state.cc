@@ -170,13 +170,15 @@ namespace ThermoContact
           const ContactNode<dim> &node = body.contact_end().nodes()[i];
           const double            given =
             body.data.initial_fields->value(node.position, component);
-          double &projected = state.displacement.begin()[entry];
-          for (const ObstacleAtNode &obstacle :
-               obstacles_at_node(body.scene.contact, state, i))
-            if (are_one(given, obstacle.place) ||
-                (obstacle.penetration(given) < 0. &&
-                 obstacle.penetration(projected) > 0.))
-              projected = obstacle.place;
+          double       &projected = state.displacement.begin()[entry];
+          double        position  = given;
+          const NodeLaw law =
+            make_node_law(body.scene.contact, state.gap[i], position);
+          const double place = touching_displacement(body, law, state.gap[i]);
+          if (are_one(given, place) ||
+              (law.penetration(position) < 0. &&
+               law.penetration(projected - place) > 0.))
+            projected = place;
         }
     }
 
@@ -209,26 +211,19 @@ namespace ThermoContact
       const Scene &scene = body.scene;
       if (!scene.contact.law->is_rigid() || scene.material.is_static())
         return; // what is static is in equilibrium with the obstacle
-      const ContactEnd<dim> &end = body.contact_end();
-      const QuantityUnits    units(scene.parameters);
-      const double           prescribed_time =
+      const QuantityUnits units(scene.parameters);
+      const double        prescribed_time =
         scene.has_prescribed_start && scene.parameters.time.end_time > 0. ?
-                    first_step_size :
-                    0.;
-      std::vector<double> displacement, velocity;
-      end.get_values(Field::displacement, state.displacement, displacement);
-      end.get_values(Field::displacement, state.velocity, velocity);
-      const auto obstacle = [&](const unsigned int k, const unsigned int node) {
-        return obstacles_at_node(scene.contact, state, node)[k];
-      };
-      const unsigned int n = obstacles_at_node(scene.contact, state, 0).size();
-      for (unsigned int k = 0; k < n; ++k)
+                 first_step_size :
+                 0.;
+      ContactValues values;
+      get_contact_values(body, state, values);
+      const std::vector<double> &displacement = values.displacement;
+      for (const auto *obstacle : {&values.front, &values.rear})
         {
-          const std::string entry =
-            entry_of_gap(scene, obstacle(k, 0).is_behind) + ": the ";
-          std::vector<double> penetration;
-          for (unsigned int i = 0; i < displacement.size(); ++i)
-            penetration.push_back(obstacle(k, i).penetration(displacement[i]));
+          const std::vector<double> &penetration = obstacle->penetration;
+          const std::string          entry =
+            entry_of_gap(scene, obstacle == &values.rear) + ": the ";
           const unsigned int deepest =
             std::max_element(penetration.begin(), penetration.end()) -
             penetration.begin();
@@ -243,12 +238,11 @@ namespace ThermoContact
               " penetrates the rigid obstacle\n  remedy:  a larger gap, another "
               "Initial values/Displacement, or Contact/Condition = normal "
               "compliance");
-          for (unsigned int i = 0; i < velocity.size(); ++i)
-            if (const double reached =
-                  displacement[i] +
-                  prescribed_time * (velocity[i] - obstacle(k, i).rate);
-                obstacle(k, i).penetration(reached) > 0. &&
-                !are_one(reached, obstacle(k, i).place))
+          for (unsigned int i = 0; i < penetration.size(); ++i)
+            if (const double way = prescribed_time * obstacle->velocity[i];
+                penetration[i] + way >
+                Tolerances::rounding_of_data *
+                  (std::abs(displacement[i]) + std::abs(way)))
               throw InputError(
                 entry + "prescribed first step of the paper would penetrate "
                         "the rigid obstacle\n  remedy:  Time/Start = "

@@ -7,7 +7,6 @@
 #include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -512,60 +511,6 @@ namespace ThermoContact
 
   namespace
   {
-    /**
-     * True if a load jumps: if what it changes from one time to the next is no
-     * part of what it changes around; not beyond the end time, where the jumps
-     * of another run may be.
-     *
-     * @param load_at(time, load) has the load at a time
-     * @param load memory of its layout
-     */
-    template <class LoadAt>
-    bool
-    is_discontinuous(const LoadBreak &at,
-                     const double     end_time,
-                     const LoadAt    &load_at,
-                     const Vector    &load)
-    {
-      Vector       sides[2] = {load, load}, around[2] = {load, load};
-      const double width = std::max(Tolerances::same_time * at.new_time,
-                                    std::numeric_limits<double>::min());
-      load_at(at.old_time, sides[0]);
-      load_at(at.new_time, sides[1]);
-      load_at(std::max(at.old_time - width, 0.), around[0]);
-      load_at(std::min(at.new_time + width, std::max(at.new_time, end_time)),
-              around[1]);
-      const double size =
-        std::max(sides[0].linfty_norm(), sides[1].linfty_norm());
-      sides[1] -= sides[0];
-      around[1] -= around[0];
-      const double change = sides[1].linfty_norm();
-      return change > Tolerances::rounding_of_solution * size &&
-             change > 0.5 * around[1].linfty_norm();
-    }
-
-
-
-    /** True if the temperature of the fixed end jumps. */
-    template <int dim>
-    bool
-    fixed_end_jumps(const Body<dim> &body, const LoadBreak *const at)
-    {
-      if (at == nullptr || !at->is_jump ||
-          !body.scene.sources.has_driven_temperature)
-        return false;
-      const TimeFunction &drive    = *body.scene.heat.fixed_end_drive;
-      const auto          value_at = [&](const double time, Vector &value) {
-        value = drive.value(time);
-      };
-      return is_discontinuous(*at,
-                              body.scene.parameters.time.end_time,
-                              value_at,
-                              Vector(1));
-    }
-
-
-
     /** True if the fixed end has another temperature in @p state. */
     template <int dim>
     bool
@@ -604,14 +549,7 @@ namespace ThermoContact
                                  const LoadBreak         &at,
                                  StepResult              &result)
   {
-    const auto load_at = [this](const double time, Vector &load) {
-      load = momentum_load(time);
-    };
-    const bool moves =
-      moves_at_once() && is_discontinuous(at,
-                                          body.scene.parameters.time.end_time,
-                                          load_at,
-                                          result.state.displacement);
+    const bool moves = moves_at_once() && (at.jumping & force) != 0;
     if (moves)
       move_at_once(solver, is_closed, 0., result);
     return moves;
@@ -631,7 +569,8 @@ namespace ThermoContact
     const bool       starts =
       state.time == 0. &&
       fixed_end_differs(body, heat.fixed_end_temperature, state);
-    const bool jumps = fixed_end_jumps(body, at);
+    const bool jumps =
+      at != nullptr && (at->jumping & fixed_end_temperature) != 0;
     if (starts)
       set_temperature_of_fixed_end(heat.fixed_end_temperature, state);
     const double work =

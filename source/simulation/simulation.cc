@@ -191,7 +191,7 @@ namespace ThermoContact
             break;
           case Verdict::inaccurate:
             attempt.reason = rejected_by_tolerance;
-            controller.reject(time_step, verdict.error);
+            controller.reject(time_step, verdict.error, result.order);
             break;
           case Verdict::contact_changes:
             attempt.reason = "contact";
@@ -206,7 +206,7 @@ namespace ThermoContact
             passed              = commit(verdict.finding);
             attempt.is_accepted = result.failure.empty();
             if (attempt.is_accepted)
-              controller.accept(time_step, verdict.error);
+              controller.accept(time_step, verdict.error, result.order);
         }
       if (result.failure.empty())
         restart_controller(mode, passed);

@@ -4,24 +4,20 @@
 
 namespace ThermoContact
 {
-  namespace
+  NodeLaw
+  make_node_law(const SceneContact &contact, const double gap, double &position)
   {
-    /** The law of a node, and its position in place of its displacement. */
-    NodeLaw
-    make_law(const SceneContact &contact, const double gap, double &position)
-    {
-      const double u = position;
-      NodeLaw      law(*contact.law);
-      law.play = gap + contact.rear_gap;
-      position = u - gap;
-      if (law.nearer_side(position) < 0)
-        {
-          law.side = -1;
-          position = u + contact.rear_gap;
-        }
-      return law;
-    }
-  } // namespace
+    const double u = position;
+    NodeLaw      law(*contact.law);
+    law.play = gap + contact.rear_gap;
+    position = u - gap;
+    if (law.nearer_side(position) < 0)
+      {
+        law.side = -1;
+        position = u + contact.rear_gap;
+      }
+    return law;
+  }
 
 
 
@@ -35,7 +31,7 @@ namespace ThermoContact
     laws.resize(gap.size());
     position = displacement;
     for (unsigned int i = 0; i < gap.size(); ++i)
-      laws[i] = make_law(contact, gap[i], position[i]);
+      laws[i] = make_node_law(contact, gap[i], position[i]);
   }
 
 
@@ -171,23 +167,9 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n; ++i)
       {
         double        position = values.displacement[i];
-        const NodeLaw law      = make_law(contact, state.gap[i], position);
+        const NodeLaw law      = make_node_law(contact, state.gap[i], position);
         values.pressure[i]     = law.continued_pressure(position);
       }
-  }
-
-
-
-  std::vector<ObstacleAtNode>
-  obstacles_at_node(const SceneContact &contact,
-                    const State        &state,
-                    const unsigned int  node)
-  {
-    std::vector<ObstacleAtNode> obstacles = {
-      {false, state.gap[node], state.gap_rate[node]}};
-    if (contact.is_two_sided())
-      obstacles.push_back({true, -contact.rear_gap, 0.});
-    return obstacles;
   }
 
 

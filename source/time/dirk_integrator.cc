@@ -154,6 +154,7 @@ namespace ThermoContact
         tableau = &in_order;
         solve_stages(state, time_step, mode, result);
       }
+    result.order = tableau->order;
     if (!result.failure.empty())
       return;
     if (result.state.contact_pressure.size() != known.contact_pressure.size())

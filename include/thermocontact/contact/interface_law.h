@@ -268,7 +268,7 @@ namespace ThermoContact
     double
     rate_under(const double pressure) const
     {
-      return sign_of(pressure) > 0 ? front_rate : 0.;
+      return rate_of(sign_of(pressure));
     }
 
     /** Position at @p x, seen from the local obstacle. */
@@ -305,8 +305,8 @@ namespace ThermoContact
     double
     penetration(const double position) const
     {
-      return nearer_side(position) > 0 ? front_penetration(position) :
-                                         rear_penetration(position);
+      return std::max(penetration_of(1, position),
+                      penetration_of(-1, position));
     }
 
     /** The pressure at a position of a node with this velocity, not relative.
@@ -398,28 +398,29 @@ namespace ThermoContact
     int
     nearer_side(const double position) const
     {
-      return rear_penetration(position) > front_penetration(position) ? -1 : 1;
+      return penetration_of(-1, position) > penetration_of(1, position) ? -1 :
+                                                                          1;
     }
 
   private:
-    /** Penetration of the obstacle in front, and behind, at a position. */
+    /** Penetration of the obstacle in front, 1, or behind, -1. */
     double
-    front_penetration(const double position) const
+    penetration_of(const int sign, const double position) const
     {
-      return side > 0 ? position : position - play;
+      return sign == side ? sign * position : sign * position - play;
     }
 
     double
-    rear_penetration(const double position) const
+    rate_of(const int sign) const
     {
-      return side > 0 ? -position - play : -position;
+      return sign > 0 ? front_rate : 0.;
     }
 
     /** Position of the obstacle that pushes with this sign. */
     double
     obstacle(const int sign) const
     {
-      return sign == side ? 0. : sign > 0 ? play : -play;
+      return sign == side ? 0. : sign * play;
     }
 
     /** 1 or -1: of the obstacle that a node with this pressure meets. A single

@@ -12,6 +12,16 @@
 namespace ThermoContact
 {
   /**
+   * What a node meets whose gap in front is @p gap.
+   *
+   * @param position in: its displacement; out: as below
+   */
+  NodeLaw
+  make_node_law(const SceneContact &contact,
+                const double        gap,
+                double             &position);
+
+  /**
    * What the contact nodes of a state meet, and where they are: which of two
    * obstacles is local to each, the nearer one. Collective.
    *
@@ -94,26 +104,6 @@ namespace ThermoContact
   get_contact_values(const Body<dim> &body,
                      const State     &state,
                      ContactValues   &values);
-
-  /** An obstacle at one node, to be asked about one after the other. */
-  struct ObstacleAtNode
-  {
-    bool   is_behind;
-    double place; ///< displacement of a node that touches it
-    double rate;  ///< of that
-
-    double
-    penetration(const double displacement) const
-    {
-      return is_behind ? place - displacement : displacement - place;
-    }
-  };
-
-  /** What a node may meet. */
-  std::vector<ObstacleAtNode>
-  obstacles_at_node(const SceneContact &contact,
-                    const State        &state,
-                    const unsigned int  node);
 
   /** Displacement of a node that touches its local obstacle, of @p gap if that
    * is in front. */
