@@ -27,6 +27,12 @@ namespace ThermoContact
                           ///< $u_t(1)$ at the obstacle behind
     int side = 1;         ///< of the obstacle; -1: the one behind the end
 
+    double
+    velocity_into() const
+    {
+      return side * velocity;
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
