@@ -308,7 +308,7 @@ namespace ThermoContact
   StepController::is_exhausted(const TimeStep &step, const double time) const
   {
     return has_error_control &&
-           (step.size <= minimum_size ||
+           (step.size <= (1. + Tolerances::multiple_slack) * minimum_size ||
             size < 4. * std::numeric_limits<double>::epsilon() * time ||
             size < std::numeric_limits<double>::min());
   }

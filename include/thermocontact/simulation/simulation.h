@@ -54,6 +54,7 @@ namespace ThermoContact
    *   contact changes at t':                   m = the other; x' = R(x'); done
    *   contact stays as m says:                 done
    * an input has a discontinuity at t':        x' = R(x'); m as contact then is
+   * R(x') is not found:                        t' = something smaller, again
    * x = x'; t = t'
    * @endcode
    * Until it is done nothing that was accepted changes.
