@@ -9,7 +9,6 @@ DIR holds a finished run with checkpoints. Wall times and memory are left out,
 and used.prm, which names the directory. Before, one run again, that ignores SIGHUP; then:
 the same after SIGTERM, after a file that may not grow any more; SIGTERM in a repeat for error bars.
 """
-import contextlib
 import json
 import os
 import random
@@ -93,14 +92,7 @@ class Run:
         time.sleep(delay)
         was_running = process.poll() is None
         if was_running:
-            # ranks have groups of their own, and write on while mpirun is gone already
-            ranks = program.started_by(process)
-            os.killpg(process.pid, signal.SIGKILL)
-            for rank in ranks:
-                with contextlib.suppress(ProcessLookupError):
-                    os.kill(rank, signal.SIGKILL)
-            while any(map(program.is_running, ranks)):
-                time.sleep(0.005)
+            program.kill(process)
         process.communicate()
         return was_running
 

@@ -86,13 +86,7 @@ def kill_again_and_again(directory):
         wait_for_rows(process, directory, before + 1)
         time.sleep(random.uniform(0, 0.1))
         if process.poll() is None:
-            ranks = program.started_by(process) # in groups of their own with Open MPI 5
-            os.killpg(process.pid, signal.SIGKILL)
-            for rank in ranks:
-                try:
-                    os.kill(rank, signal.SIGKILL)
-                except ProcessLookupError:
-                    pass # killed with the group, or done
+            program.kill(process)
             n_kills += 1
         process.communicate()
         n_lost += len(rows_of(directory)) <= before

@@ -72,12 +72,29 @@ def started_by(process):
 
 
 def is_running(number):
-    """Whether there is a process of that number, and has not ended."""
+    """Whether there is a process of that number, and has not ended. Its first thread may have, with
+    others that still hold files and locks."""
     try:
-        state = Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0]
+        words = Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()
     except OSError:
         return False
-    return state not in "ZX"
+    state, n_threads = words[0], int(words[17])
+    return state not in "ZX" or n_threads > 1
+
+
+def kill(process):
+    """Kills what start() has started, ranks in groups of their own too, which write on while mpirun
+    is gone already; back when all have ended."""
+    import contextlib
+    import signal
+    import time
+    ranks = started_by(process)
+    os.killpg(process.pid, signal.SIGKILL)
+    for rank in ranks:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(rank, signal.SIGKILL)
+    while any(map(is_running, ranks)):
+        time.sleep(0.005)
 
 
 def main():
