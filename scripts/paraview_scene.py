@@ -214,7 +214,8 @@ def render(settings):
     size = max(10, settings["width"] // 55)
     show_colours(view, show_body(view, snapshots, scale), snapshots, size,
                  units.get(f"{snapshots.colour}_end"))
-    show_box(view, [-0.03 * unit, *low], [0, *high], [0.45] * 3)
+    if settings["held"]:
+        show_box(view, [-0.03 * unit, *low], [0, *high], [0.45] * 3)
     block = None
     if plate is not None and settings["shape"]:
         show_shape(view, settings["shape"], scale, right - plate,

@@ -53,10 +53,10 @@ namespace ThermoContact
 
   /** A rod that is thrown at an obstacle in cold surroundings. */
   inline const Overrides thrown{"Model/Coupling=0.3",
-                                "Boundary/Fixed end temperature=1",
-                                "Boundary/Obstacle temperature=0.5",
-                                "Boundary/Lateral heat exchange=3",
-                                "Boundary/Ambient temperature=-2",
+                                "Boundary/left/Temperature=1",
+                                "Boundary/right/Surroundings=0.5",
+                                "Boundary/sides/Heat exchange=3",
+                                "Boundary/sides/Surroundings=-2",
                                 "Contact/Gap=0.05",
                                 "Contact/Compliance=0.1",
                                 "Initial values/Temperature=theta_A*(1-x^2)",

@@ -29,7 +29,7 @@ namespace ThermoContact
       throw ComputationError(
         "the heat exchange coefficients of " + std::to_string(n) +
         " contact nodes were not found\n  remedy:  a smaller Time/Step size, "
-        "or a Boundary/Heat exchange without jumps that is less steep");
+        "or a Boundary/right/Heat exchange without jumps that is less steep");
     }
 
 

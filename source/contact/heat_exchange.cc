@@ -33,7 +33,7 @@ namespace ThermoContact
     const double gap = std::max(0., -penetration);
     const double k   = value(gap, pressure);
     if (!(k >= 0. && std::isfinite(k)))
-      throw ComputationError(text("Boundary/Heat exchange: ",
+      throw ComputationError(text("Boundary/right/Heat exchange: ",
                                   description(),
                                   " is ",
                                   k,

@@ -5,7 +5,6 @@
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/method/bracketed_root.h>
-#include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +23,12 @@ namespace ThermoContact
         return "none: the obstacle moves";
       if (scene.sources.any())
         return "no closed form with sources";
+      if (!scene.heat.has_given_temperature)
+        return "no closed form without a given temperature at the end x = 0";
+      const BoundaryParameters &boundary = scene.parameters.boundary;
+      if (scene.fields.has_displacement &&
+          (scene.has_free_end || boundary.right.is_any()))
+        return "no closed form with a free end x = 0, springs or masses";
       if (scene.parameters.dimension > 1 && scene.heat.has_lateral_exchange())
         return "no closed form with a lateral heat exchange in more than one "
                "dimension";
@@ -55,10 +60,10 @@ namespace ThermoContact
             scene.material.thermal_stress *
             RestProfile(scene.heat.surroundings(), drop).mean();
           // where an obstacle and a body of stiffness 1 meet
-          double        free = expansion;
-          const NodeLaw law =
-            make_node_law(scene.contact, scene.contact.gap, free);
-          state.contact_force    = law.resolve(free, 1.).pressure;
+          NodeLaw law(*scene.contact.law);
+          law.play = scene.contact.gap + scene.contact.rear_gap;
+          state.contact_force =
+            law.resolve(expansion - scene.contact.gap, 1.).pressure;
           state.in_contact       = state.contact_force != 0.;
           state.displacement_end = expansion - state.contact_force;
         }
@@ -74,11 +79,10 @@ namespace ThermoContact
     double
     imbalance(const Scene &scene, const double drop)
     {
-      const SteadyState state    = state_of_drop(scene, drop);
-      double            position = state.displacement_end;
-      const NodeLaw     law =
-        make_node_law(scene.contact, scene.contact.gap, position);
-      const double reach = law.penetration(position);
+      const SteadyState state = state_of_drop(scene, drop);
+      const double      u     = state.displacement_end;
+      const double      reach = // beyond the nearer obstacle
+        std::max(u - scene.contact.gap, -u - scene.contact.rear_gap);
       const double k =
         scene.heat.exchange->coefficient(state.in_contact ? 0. : reach,
                                          std::abs(state.contact_force));

@@ -184,9 +184,11 @@ namespace ThermoContact
                      const unsigned int dim,
                      ExpressionNames    names)
     {
-      names.variables = entry_of_program(assignment.path).variables(dim);
-      const std::string &text = assignment.value;
-      if (!names.variables.empty() && !parse_number(text))
+      const DeclaredEntry &entry = entry_of_program(assignment.path);
+      names.variables            = entry.variables(dim);
+      const std::string &text    = assignment.value;
+      const bool         is_word = begins_with(entry.pattern, "[" + text + ",");
+      if (!names.variables.empty() && !is_word && !parse_number(text))
         read_components(assignment.path,
                         text,
                         1 + std::count(text.begin(), text.end(), ';'),

@@ -66,56 +66,98 @@ namespace ThermoContact
   void
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
-    SectionOfEntries entry(prm, "Boundary");
-    entry("Fixed end temperature",
-          fixed_end_temperature,
-          fixed_end_expression,
-          NumberOrText::number_or_expression("t", true))
-      .means("Temperature theta_A of the fixed end x = 0; an expression in t, "
-             "e.g. 10*sin(2*pi*t).",
-             "temperature");
-    entry("Fixed end displacement",
-          fixed_end_displacement,
-          NumberOrText::expression("t"))
-      .means("Displacement u_A of the fixed end x = 0 along the axis, a base "
-             "that moves: an expression in t, zero at t = 0, e.g. "
-             "0.1*sin(2*pi*t).",
-             "length");
-    entry("Heat exchange",
-          heat_exchange,
-          exchange_expression,
-          NumberOrText::number_or_expression("gap, pressure", false))
-      .means("Heat exchange coefficient k >= 0 of the contact end: -d theta/dn "
-             "= k (theta - theta_obs); an expression in the local gap >= 0 and "
-             "pressure >= 0, e.g. if(pressure > 0, 10 + 5*pressure, 0.1/(0.1 + "
-             "gap)).",
-             "heat exchange");
-    entry("Obstacle temperature",
-          obstacle_temperature,
-          obstacle_expression,
-          NumberOrText::number_or_expression("y, z, t", true))
-      .means("Temperature theta_obs of the obstacle; an expression in t, and "
-             "in y, z for Dimension > 1, e.g. 5*sin(2*pi*t), if the heat "
-             "exchange is a number.",
-             "temperature");
-    entry("Lateral heat exchange", lateral_heat_exchange, coefficient)
-      .means("Heat m (theta - theta_inf) that the rod loses to its "
-             "surroundings per volume, m >= 0; for Dimension > 1 through its "
-             "lateral faces: -d theta/dn = m A/P (theta - theta_inf), A/P the "
-             "area of the cross-section over its perimeter.",
-             "heat loss");
-    entry("Ambient temperature", ambient_temperature, any_number)
-      .means("Temperature theta_inf of the surroundings.", "temperature");
-    entry("Lateral support",
-          lateral_support,
-          Selection("rollers|free|symmetric"))
-      .means("Lateral faces, for Dimension > 1: rollers (no normal "
-             "displacement), free, or symmetric: rollers at y = 0 and z = 0 "
-             "alone, a half or a quarter of a body with free faces.");
-    entry("Fixed end support", fixed_end_support, Selection("clamped|sliding"))
-      .means("The fixed end x = 0, for Dimension > 1: clamped (no "
-             "displacement) or sliding (no axial displacement, no shear "
-             "stress).");
+    const auto add_attached = [](SectionOfEntries &entry, Attached &end) {
+      entry("Spring", end.spring, coefficient)
+        .means("Stiffness s >= 0 of a spring between the end and the ground, "
+               "for Dimension = 1: force over displacement, per area.",
+               "spring");
+      entry("Dashpot", end.dashpot, coefficient)
+        .means("Coefficient d >= 0 of a dashpot between the end and the "
+               "ground, for Dimension = 1: force over velocity, per area.",
+               "dashpot");
+      entry("Mass", end.mass, coefficient)
+        .means("Mass m >= 0 on the end, for Dimension = 1, per area; that of "
+               "the body is b.",
+               "mass");
+    };
+    const NumberOrText load = NumberOrText::expression("x, y, z, t, theta_A");
+    {
+      SectionOfEntries entry(prm, "Boundary/left");
+      entry("Support", left.support, Selection("clamped|sliding|free"))
+        .means("The end x = 0: clamped (no displacement), sliding (no axial "
+               "displacement, no shear stress, for Dimension > 1) or free (no "
+               "stress but what is given below).");
+      entry("Displacement", left.displacement, NumberOrText::expression("t"))
+        .means("Displacement u_A of the end along the axis, a base that moves: "
+               "an expression in t, zero at t = 0, e.g. 0.1*sin(2*pi*t).",
+               "length");
+      entry("Traction", left.traction, load)
+        .means("Traction t_A on a free end, positive outward: the stress "
+               "there, but for spring, dashpot and mass.",
+               "stress");
+      add_attached(entry, left);
+      entry("Temperature",
+            left.temperature,
+            left.temperature_expression,
+            NumberOrText::number_or_expression("t", true, "none"))
+        .means("Temperature theta_A of the end; an expression in t, e.g. "
+               "10*sin(2*pi*t); none: the next three say what heat does there.",
+               "temperature");
+      entry("Heat exchange", left.heat_exchange, coefficient)
+        .means("Heat exchange coefficient k_A >= 0 of an end without a given "
+               "temperature: d theta/dx = k_A (theta - theta_sA) - h_A.",
+               "heat exchange");
+      entry("Surroundings", left.surroundings, any_number)
+        .means("Temperature theta_sA of the surroundings of that end; also "
+               "theta_A of expressions, where no temperature is given.",
+               "temperature");
+      entry("Heat flux", left.heat_flux, load)
+        .means("Heat flux h_A into that end.", "heat flux");
+    }
+    {
+      SectionOfEntries entry(prm, "Boundary/right");
+      entry("Traction", right.traction, load)
+        .means("Traction t on the contact end x = 1, positive outward: the end "
+               "stress is -pressure + t.",
+               "stress");
+      add_attached(entry, right);
+      entry("Heat exchange",
+            right.heat_exchange,
+            right.exchange_expression,
+            NumberOrText::number_or_expression("gap, pressure", false))
+        .means("Heat exchange coefficient k >= 0 of the contact end: -d "
+               "theta/dn = k (theta - theta_obs); an expression in the local "
+               "gap >= 0 and pressure >= 0, e.g. if(pressure > 0, 10 + "
+               "5*pressure, 0.1/(0.1 + gap)).",
+               "heat exchange");
+      entry("Surroundings",
+            right.surroundings,
+            right.surroundings_expression,
+            NumberOrText::number_or_expression("y, z, t", true))
+        .means("Temperature theta_obs of the obstacle; an expression in t, and "
+               "in y, z for Dimension > 1, e.g. 5*sin(2*pi*t), if the heat "
+               "exchange is a number.",
+               "temperature");
+      entry("Heat flux", right.heat_flux, load)
+        .means("Heat flux h into the contact end: -d theta/dn = k (theta - "
+               "theta_obs) - h.",
+               "heat flux");
+    }
+    {
+      SectionOfEntries entry(prm, "Boundary/sides");
+      entry("Support", sides.support, Selection("rollers|free|symmetric"))
+        .means("Lateral faces, for Dimension > 1: rollers (no normal "
+               "displacement), free, or symmetric: rollers at y = 0 and z = 0 "
+               "alone, a half or a quarter of a body with free faces.");
+      entry("Heat exchange", sides.heat_exchange, coefficient)
+        .means("Heat m (theta - theta_inf) that the rod loses to its "
+               "surroundings per volume, m >= 0; for Dimension > 1 through its "
+               "lateral faces: -d theta/dn = m A/P (theta - theta_inf), A/P "
+               "the area of the cross-section over its perimeter.",
+               "heat loss");
+      entry("Surroundings", sides.surroundings, any_number)
+        .means("Temperature theta_inf of the surroundings.", "temperature");
+    }
   }
 
 
@@ -385,14 +427,6 @@ namespace ThermoContact
       .means("Body force f per volume; components separated by ';', one alone "
              "is the axial one.",
              "body force");
-    entry("End traction", end_traction, source)
-      .means("Traction t on the contact end, positive outward: the end stress "
-             "is -pressure + t.",
-             "stress");
-    entry("End heat flux", end_heat_flux, source)
-      .means("Heat flux h into the contact end: -d theta/dn = k (theta - "
-             "theta_obs) - h.",
-             "heat flux");
   }
 
 

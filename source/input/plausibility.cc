@@ -23,9 +23,9 @@ namespace ThermoContact
     // softer than rubber, heavier than osmium, colder than any rod but in a
     // cryostat
     const Range ranges[] = {
-      {"Boundary/Ambient temperature", 150., infinity, "degC"},
-      {"Boundary/Fixed end temperature", 150., infinity, "degC"},
-      {"Boundary/Obstacle temperature", 150., infinity, "degC"},
+      {"Boundary/sides/Surroundings", 150., infinity, "degC"},
+      {"Boundary/left/Temperature", 150., infinity, "degC"},
+      {"Boundary/right/Surroundings", 150., infinity, "degC"},
       {"Contact/Gap", -1., 1., "um"},
       {"Contact/Rear gap", -1., 1., "um"},
       {"Initial values/Temperature", 150., infinity, "degC"},

@@ -33,6 +33,9 @@ namespace ThermoContact
     all["force × time"]   = {force * seconds, 0., "N s"};
     all["force × length"] = {force * length, 0., "N m"};
     all["energy"]         = {force * displacement, 0., "J"};
+    all["spring"]         = {force / displacement, 0., "N/m"};
+    all["dashpot"]        = {force * seconds / displacement, 0., "N s/m"};
+    all["mass"] = {force * seconds * seconds / displacement, 0., "kg"};
     // of the body in SI units, without a scale
     all["area"]              = {1., 0., "m^2"};
     all["conductivity"]      = {1., 0., "W/(m K)"};

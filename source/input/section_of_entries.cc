@@ -64,12 +64,14 @@ namespace ThermoContact
 
   NumberOrText
   NumberOrText::number_or_expression(const std::string &names,
-                                     const bool         is_signed)
+                                     const bool         is_signed,
+                                     const std::string &or_word)
   {
     const double largest = std::numeric_limits<double>::max();
-    return {"",
-            names,
-            is_signed ? Double(-largest, largest) : Double(0., 1e15)};
+    NumberOrText result(
+      "", names, is_signed ? Double(-largest, largest) : Double(0., 1e15));
+    result.or_word = or_word;
+    return result;
   }
 
 
@@ -91,7 +93,8 @@ namespace ThermoContact
     const PatternBase *const number = pattern_of_number();
     const std::string        words =
       number == nullptr ? "" : number->description(style);
-    return the_word.empty() ? "[" + words + (words.empty() ? "" : " or ") +
+    return the_word.empty() ? "[" + or_word + (or_word.empty() ? "" : ", ") +
+                                words + (words.empty() ? "" : " or ") +
                                 "an expression in " + names + "]" :
                               "[" + the_word + " or " + words + "]";
   }
@@ -109,15 +112,18 @@ namespace ThermoContact
   SectionOfEntries::SectionOfEntries(dealii::ParameterHandler &prm,
                                      const std::string        &name)
     : prm(prm)
+    , names(dealii::Utilities::split_string_list(name, '/'))
   {
-    prm.enter_subsection(name);
+    for (const std::string &one : names)
+      prm.enter_subsection(one);
   }
 
 
 
   SectionOfEntries::~SectionOfEntries()
   {
-    prm.leave_subsection();
+    for (unsigned int i = 0; i < names.size(); ++i)
+      prm.leave_subsection();
   }
 
 

@@ -227,8 +227,8 @@ namespace ThermoContact
          {"Conductivity", "Heat capacity", "Reference temperature"})
       need(has_temperature, "Rod/" + entry, true);
     need(has_temperature && has_displacement, "Rod/Linear expansion");
-    need(has_temperature, "Boundary/Fixed end temperature");
-    need(has_temperature, "Boundary/Heat exchange");
+    need(has_temperature, "Boundary/left/Temperature");
+    need(has_temperature, "Boundary/right/Heat exchange");
     need(has_displacement && law.name != no_obstacle().name, "Contact/Gap");
     const bool has_stiffness =
       given("Contact/Stiffness").value_or("none") != "none";
@@ -449,8 +449,11 @@ namespace ThermoContact
     if (wanted != "automatic")
       return wanted == "dropped";
     return is_zero("Initial values/Velocity") &&
-           is_zero("Boundary/Fixed end displacement") &&
-           is_zero("Contact/Rear gap") &&
+           is_zero("Boundary/left/Displacement") &&
+           is_zero("Contact/Rear gap") && is_zero("Boundary/left/Mass") &&
+           is_zero("Boundary/right/Mass") && is_zero("Boundary/left/Dashpot") &&
+           is_zero("Boundary/right/Dashpot") &&
+           given("Boundary/left/Support") != "free" &&
            *scales.time * number("Time/End time") > often * seconds;
   }
 

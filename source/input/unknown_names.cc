@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace ThermoContact
 {
@@ -26,6 +27,21 @@ namespace ThermoContact
             (sections.empty() || sections.back() != section))
           sections.push_back(section);
       return sections;
+    }
+
+
+
+    /** Whether it is a section, or one that has others; "": outside of all. */
+    bool
+    is_section(const std::string &name)
+    {
+      const auto sections = declared_sections();
+      return std::any_of(sections.begin(),
+                         sections.end(),
+                         [&name](const std::string &known) {
+                           return name.empty() ||
+                                  begins_with(known + "/", name + "/");
+                         });
     }
 
 
@@ -99,6 +115,27 @@ namespace ThermoContact
 
 
 
+    /** The entry that says what these words ask for, or nothing. */
+    std::string
+    entry_of_other_words(const std::string &name)
+    {
+      static const std::map<std::string, std::string> entries = {
+        {"Fixed end temperature", "Boundary/left/Temperature"},
+        {"Fixed end displacement", "Boundary/left/Displacement"},
+        {"Fixed end support", "Boundary/left/Support"},
+        {"Heat exchange", "Boundary/right/Heat exchange"},
+        {"Obstacle temperature", "Boundary/right/Surroundings"},
+        {"Lateral support", "Boundary/sides/Support"},
+        {"Lateral heat exchange", "Boundary/sides/Heat exchange"},
+        {"Ambient temperature", "Boundary/sides/Surroundings"},
+        {"End traction", "Boundary/right/Traction"},
+        {"End heat flux", "Boundary/right/Heat flux"}};
+      const auto found = entries.find(name);
+      return found == entries.end() ? "" : found->second;
+    }
+
+
+
     /** Whether the entry is there, in another section. */
     bool
     is_in_other_section(const std::string              &path,
@@ -142,12 +179,12 @@ namespace ThermoContact
   void
   check_section(const std::string &place, const std::string &section)
   {
-    if (!list_entries(section).empty())
+    if (is_section(section))
       return;
+    const auto sections = declared_sections();
     if (const std::string answer = scope_answer(section); !answer.empty())
       throw InputError(place + ": there is no section " + quote(section) +
                        answer);
-    const auto  sections = declared_sections();
     std::string remedy, all;
     if (const std::string near = nearest(section, sections); !near.empty())
       remedy = "did you mean " + near + "? ";
@@ -171,15 +208,18 @@ namespace ThermoContact
     std::vector<std::string> paths;
     for (const DeclaredEntry &entry : entries_of_program())
       paths.push_back(entry.path);
-    const std::string near   = nearest(assignment.path, paths);
-    const std::string answer = is_in_other_section(assignment.path, paths) ?
-                                 "" :
-                                 scope_answer(name_of(assignment.path));
+    const std::string other = entry_of_other_words(name_of(assignment.path));
+    const std::string near =
+      other.empty() ? nearest(assignment.path, paths) : other;
+    const std::string answer =
+      !other.empty() || is_in_other_section(assignment.path, paths) ?
+        "" :
+        scope_answer(name_of(assignment.path));
     if (near.empty() && answer.empty())
       check_section(assignment.place, section);
     const std::string fault =
-      all.empty()     ? "there is no section " + quote(section) :
-      section.empty() ? "there is no entry " + quote(assignment.path) +
+      !is_section(section) ? "there is no section " + quote(section) :
+      section.empty()      ? "there is no entry " + quote(assignment.path) +
                           " outside of the sections" :
                         "section " + section + " has no entry " +
                           quote(name_of(assignment.path));

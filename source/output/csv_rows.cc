@@ -25,7 +25,7 @@ namespace ThermoContact
 
 
   CsvColumns<EventRow>
-  event_columns(const Scene &scene)
+  event_columns(const bool has_sides)
   {
     CsvColumns<EventRow> columns = {{"time", &ContactEvent::time},
                                     {"kind",
@@ -37,7 +37,7 @@ namespace ThermoContact
                                      }},
                                     {"velocity", &ContactEvent::velocity},
                                     {"duration", &EventRow::duration}};
-    if (scene.contact.is_two_sided())
+    if (has_sides)
       columns.emplace_back("side", [](const ContactEvent &event) {
         return event.side > 0 ? "front" : "rear";
       });

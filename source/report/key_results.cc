@@ -50,9 +50,9 @@ namespace ThermoContact
       double impact = nan, release = nan;
       for (const ContactEvent &event : history.events)
         if (event.kind == ContactEvent::end)
-          release = event.velocity_into();
+          release = event.side * event.velocity;
         else if (std::isnan(impact))
-          impact = event.velocity_into();
+          impact = event.side * event.velocity;
       // a body that stays has 0, not -0
       return impact > 0. ? 0. - release / impact : nan;
     }

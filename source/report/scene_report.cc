@@ -36,10 +36,11 @@ namespace ThermoContact
               dim == 1 ? "" :
                          text(", sides 1 : ",
                               significant(mesh.cell_aspect(), few_digits))),
-         dim == 1 ?
-           "" :
-           "lateral faces: " + scene.parameters.boundary.lateral_support,
+         dim == 1 ? "" :
+                    "lateral faces: " + scene.parameters.boundary.sides.support,
          scene.has_sliding_end ? "fixed end: sliding" : "",
+         scene.fields.has_displacement && scene.has_free_end ? "x = 0: free" :
+                                                               "",
          scene.has_pins() ? "held across, without force, at corners of it" :
                             ""});
     }
@@ -302,22 +303,31 @@ namespace ThermoContact
                       text("nu = ", scene.parameters.model.poisson_ratio)}));
     if (scene.fields.has_temperature)
       {
-        const SceneHeat  &heat     = scene.heat;
-        const std::string exchange = as_written("Boundary/Heat exchange", "");
+        const SceneHeat  &heat = scene.heat;
+        const std::string exchange =
+          as_written("Boundary/right/Heat exchange", "");
         log.line(
           "  heat      " +
           join_words(
-            {"theta_A = " +
-               (scene.sources.has_driven_temperature ?
-                  as_written("Boundary/Fixed end temperature",
-                             heat.fixed_end_drive->expression.text()) :
-                  units.text("temperature", heat.fixed_end_temperature)),
+            {heat.has_given_temperature ?
+               "theta_A = " +
+                 (scene.sources.has_driven_temperature ?
+                    as_written("Boundary/left/Temperature",
+                               heat.fixed_end_drive->expression.text()) :
+                    units.text("temperature", heat.fixed_end_temperature)) :
+             heat.left_exchange > 0. ?
+               text("k_A = ",
+                    heat.left_exchange,
+                    ", theta_sA = ",
+                    units.text("temperature", heat.fixed_end_temperature)) :
+               "x = 0: insulated",
              exchange.empty() ? heat.exchange->description() :
                                 "k = " + exchange,
              "theta_obs = " +
                (scene.sources.has_varying_obstacle ?
-                  as_written("Boundary/Obstacle temperature",
-                             scene.parameters.boundary.obstacle_expression) :
+                  as_written(
+                    "Boundary/right/Surroundings",
+                    scene.parameters.boundary.right.surroundings_expression) :
                   units.text("temperature", heat.obstacle_temperature)),
              heat.has_lateral_exchange() ?
                text("m = ",
@@ -328,7 +338,7 @@ namespace ThermoContact
       }
     if (scene.sources.has_moving_end)
       log.line("  fixed end u_A = " +
-               as_written("Boundary/Fixed end displacement",
+               as_written("Boundary/left/Displacement",
                           scene.fixed_end_motion->expression.text()));
     if (scene.fields.has_displacement)
       {

@@ -12,11 +12,14 @@ namespace ThermoContact
 {
   template <unsigned int n_fields>
   RodFactors<n_fields>::RodFactors(const RodMatrices &matrices,
-                                   const Blocks      &blocks)
+                                   const Blocks      &blocks,
+                                   const Held        &held)
     : layout(matrices.layout())
     , runs(matrices.runs())
     , n_inner(n_fields * (layout.degree - 1))
     , middle(layout.n_cells / 2)
+    , held(held)
+    , has_left(std::count(held.begin(), held.end(), false) > 0)
     , cells(runs.size())
     , vertices(layout.n_cells)
     , vertex_values(n_fields * layout.n_cells)
@@ -169,10 +172,27 @@ namespace ThermoContact
       note_growth(cancellation(d));
       vertex.inverse = inverse(d);
     };
+    // node 0 is in front of all
+    NodeBlock first = diagonal(0);
+    if (has_left)
+      {
+        NodeBlock d     = block(*cell[0], false, false);
+        NodeBlock below = lower(0), behind = block(*cell[0], false, true);
+        for (unsigned int k = 0; k < n_fields; ++k)
+          for (unsigned int j = 0; held[k] && j < n_fields; ++j)
+            {
+              d[k * n_fields + j] = d[j * n_fields + k] = (j == k);
+              behind[k * n_fields + j] = below[j * n_fields + k] = 0.;
+            }
+        invert_pivot(d, left);
+        left.elimination  = below * left.inverse;
+        left.substitution = left.inverse * behind;
+        eliminate(left.elimination, behind, first);
+      }
 
     for (unsigned int i = 0; i < middle; ++i)
       {
-        NodeBlock d = diagonal(i);
+        NodeBlock d = i == 0 ? first : diagonal(i);
         if (i > 0)
           {
             vertices[i].elimination = lower(i) * vertices[i - 1].inverse;
@@ -192,7 +212,7 @@ namespace ThermoContact
         invert_pivot(d, vertices[i]);
         vertices[i].substitution = vertices[i].inverse * lower(i);
       }
-    NodeBlock d = diagonal(middle);
+    NodeBlock d = middle == 0 ? first : diagonal(middle);
     if (middle > 0)
       {
         from_left = lower(middle) * vertices[middle - 1].inverse;

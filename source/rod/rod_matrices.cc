@@ -60,11 +60,16 @@ namespace ThermoContact
 
 
 
-  RodMatrices::RodMatrices(const RodLayout &layout,
-                           const double     tolerance,
-                           const Entry     &entry)
+  RodMatrices::RodMatrices(const RodLayout           &layout,
+                           const double               tolerance,
+                           const Entry               &entry,
+                           const std::array<bool, 2> &carries)
     : layout_(layout)
   {
+    const auto carries_cell = [&](const unsigned int cell) {
+      return (cell == 0 && carries[0]) ||
+             (cell + 1 == layout.n_cells && carries[1]);
+    };
     const unsigned int  n = layout.nodes_per_cell();
     std::vector<double> of_cell(n_matrices * n * n);
     for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
@@ -74,7 +79,7 @@ namespace ThermoContact
           for (unsigned int j = 0; j < n; ++j)
             for (unsigned int i = 0; i < n; ++i)
               *value++ = entry(static_cast<Matrix>(matrix), cell, i, j);
-        if (!runs_.empty() &&
+        if (!runs_.empty() && !runs_.back().carries && !carries_cell(cell) &&
             are_equal(of_cell.data(),
                       entries_.data() + runs_.back().first_entry,
                       n * n,
@@ -83,7 +88,8 @@ namespace ThermoContact
             ++runs_.back().end;
             continue;
           }
-        runs_.push_back({cell, cell + 1, entries_.size(), false, false});
+        runs_.push_back(
+          {cell, cell + 1, entries_.size(), false, false, carries_cell(cell)});
         entries_.insert(entries_.end(), of_cell.begin(), of_cell.end());
         set_losses(runs_.back());
       }
@@ -117,8 +123,9 @@ namespace ThermoContact
   {
     if (matrix == conduction)
       return run.conducts_differences;
-    return matrix == divergence || matrix == stiffness ||
-           matrix == viscous_stiffness;
+    return matrix == divergence ||
+           (!run.carries &&
+            (matrix == stiffness || matrix == viscous_stiffness));
   }
 
 

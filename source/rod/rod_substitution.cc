@@ -115,6 +115,8 @@ namespace ThermoContact
                     right[k - n_fields][cell * p + 1] - force;
                 else if (cell > 0)
                   outer[(cell - 1) * n_fields + k] -= force;
+                else if (has_left)
+                  left_values[k] = right[k][0] - force;
               }
           }
       }
@@ -159,6 +161,24 @@ namespace ThermoContact
   {
     for (double *const field : solution)
       field[0] = 0.;
+    // what node 0 takes from the vertex behind it
+    std::array<double, n_fields> from_node_0{};
+    const auto                   eliminate_node_0 = [&]() {
+      for (unsigned int k = 0; k < n_fields; ++k)
+        if (held[k])
+          left_values[k] = 0.;
+      subtract_product(from_node_0, left.elimination, left_values);
+    };
+    const auto substitute_node_0 = [&]() {
+      std::array<double, n_fields> behind;
+      for (unsigned int k = 0; k < n_fields; ++k)
+        behind[k] = solution[k][1]; // the right vertex of cell 0
+      auto values = product(left.inverse, left_values);
+      subtract_product(values, left.substitution, behind);
+      for (unsigned int k = 0; k < n_fields; ++k)
+        if (!held[k])
+          solution[k][0] = values[k];
+    };
     with_fixed_degree(layout.degree, [&](const auto degree) {
       const unsigned int p = degree.value > 0 ? degree.value : layout.degree;
       const auto         set_value = [&](const unsigned int vertex,
@@ -167,19 +187,40 @@ namespace ThermoContact
         solution[field][vertex * p + 1] = value;
       };
       if constexpr (degree.value == 1)
-        solve_vertices(
-          [&](const unsigned int vertex, const unsigned int field) {
+        {
+          const auto load = [&](const unsigned int vertex,
+                                const unsigned int field) {
             return right[field][vertex + 1];
-          },
-          set_value);
+          };
+          if (!has_left)
+            return solve_vertices(load, set_value);
+          for (unsigned int k = 0; k < n_fields; ++k)
+            left_values[k] = right[k][0];
+          eliminate_node_0();
+          solve_vertices(
+            [&](const unsigned int vertex, const unsigned int field) {
+              return load(vertex, field) +
+                     (vertex == 0 ? from_node_0[field] : 0.);
+            },
+            set_value);
+          substitute_node_0();
+        }
       else
         {
           condense<degree.value>(right);
+          if (has_left)
+            {
+              eliminate_node_0();
+              for (unsigned int k = 0; k < n_fields; ++k)
+                vertex_values[k] += from_node_0[k];
+            }
           solve_vertices(
             [&](const unsigned int vertex, const unsigned int field) {
               return vertex_values[vertex * n_fields + field];
             },
             set_value);
+          if (has_left)
+            substitute_node_0();
           solve_inner_nodes<degree.value>(solution);
         }
     });

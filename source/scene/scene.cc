@@ -16,7 +16,9 @@ namespace ThermoContact
   namespace
   {
     Material
-    resolve_material(const ModelParameters &model, const SceneFields &fields)
+    resolve_material(const ModelParameters    &model,
+                     const BoundaryParameters &boundary,
+                     const SceneFields        &fields)
     {
       const double nu = model.poisson_ratio;
       const double stress =
@@ -26,7 +28,8 @@ namespace ThermoContact
               stress,
               model.heating ? stress : 0.,
               nu / (1. - nu),
-              (1. - 2. * nu) / (1. - nu)};
+              (1. - 2. * nu) / (1. - nu),
+              boundary.left.dashpot > 0. || boundary.right.dashpot > 0.};
     }
 
 
@@ -75,7 +78,7 @@ namespace ThermoContact
 
 
     /**
-     * The heat exchange that Boundary/Heat exchange says.
+     * The heat exchange that Boundary/right/Heat exchange says.
      *
      * @param largest_gap up to which an expression is checked
      * @throw InputError if it cannot be read, or if it is negative or not
@@ -86,11 +89,11 @@ namespace ThermoContact
     {
       const auto expression =
         read_expression(parameters,
-                        "Boundary/Heat exchange",
-                        parameters.boundary.exchange_expression);
+                        "Boundary/right/Heat exchange",
+                        parameters.boundary.right.exchange_expression);
       if (!expression)
         return std::make_unique<const HeatExchange>(
-          parameters.boundary.heat_exchange);
+          parameters.boundary.right.heat_exchange);
       auto exchange = std::make_unique<const HeatExchange>(
         "k = " + expression->text(),
         [law = *expression](const double gap, const double pressure) {
@@ -127,24 +130,30 @@ namespace ThermoContact
       SceneHeat    heat;
       heat.exchange =
         resolve_exchange(parameters, std::max({gap, rear_gap, 1.}));
-      heat.fixed_end_drive       = read_drive(parameters,
-                                        "Boundary/Fixed end temperature",
-                                        boundary.fixed_end_expression);
-      heat.fixed_end_temperature = heat.fixed_end_drive ?
-                                     heat.fixed_end_drive->value(0.) :
-                                     boundary.fixed_end_temperature;
-      heat.obstacle_drive        = read_expression(parameters,
-                                            "Boundary/Obstacle temperature",
-                                            boundary.obstacle_expression);
+      const BoundaryParameters::Left &left = boundary.left;
+      heat.has_given_temperature           = left.has_temperature();
+      heat.left_exchange = heat.has_given_temperature ? 0. : left.heat_exchange;
+      if (heat.has_given_temperature)
+        heat.fixed_end_drive = read_drive(parameters,
+                                          "Boundary/left/Temperature",
+                                          boundary.left.temperature_expression);
+      heat.fixed_end_temperature =
+        heat.fixed_end_drive       ? heat.fixed_end_drive->value(0.) :
+        heat.has_given_temperature ? left.temperature :
+                                     left.surroundings;
+      heat.obstacle_drive =
+        read_expression(parameters,
+                        "Boundary/right/Surroundings",
+                        boundary.right.surroundings_expression);
       heat.obstacle_temperature =
         heat.obstacle_drive ?
           TimeFunction(*heat.obstacle_drive, dealii::Point<3>(1., 0., 0.))
             .value(0.) :
-          boundary.obstacle_temperature;
+          boundary.right.surroundings;
       heat.reference_coefficient = // at the nearer obstacle
         heat.exchange->coefficient(-std::min(gap, rear_gap), 0.);
-      heat.lateral_exchange    = boundary.lateral_heat_exchange;
-      heat.ambient_temperature = boundary.ambient_temperature;
+      heat.lateral_exchange    = boundary.sides.heat_exchange;
+      heat.ambient_temperature = boundary.sides.surroundings;
       return heat;
     }
 
@@ -153,9 +162,10 @@ namespace ThermoContact
     std::unique_ptr<const TimeFunction>
     resolve_motion(const Parameters &parameters, const SceneFields &fields)
     {
-      const std::string &text = parameters.boundary.fixed_end_displacement;
-      return fields.has_displacement && !equal_values(text, "0") ?
-               read_drive(parameters, "Boundary/Fixed end displacement", text) :
+      const std::string &text = parameters.boundary.left.displacement;
+      return fields.has_displacement && !parameters.boundary.left.is_free() &&
+                 !equal_values(text, "0") ?
+               read_drive(parameters, "Boundary/left/Displacement", text) :
                nullptr;
     }
 
@@ -174,15 +184,20 @@ namespace ThermoContact
       const auto acts = [](const bool has_field, const std::string &text) {
         return has_field && !equal_values(text, "0");
       };
-      return {acts(fields.has_temperature, sources.heat_source),
-              acts(fields.has_displacement, sources.body_force),
-              acts(fields.has_displacement, sources.end_traction),
-              acts(fields.has_temperature, sources.end_heat_flux),
-              fields.has_temperature && heat.linear_coefficient() > 0. &&
-                heat.obstacle_drive != nullptr,
-              fields.has_temperature && heat.fixed_end_drive != nullptr,
-              has_motion,
-              has_obstacle && gap != nullptr && gap->depends_on("t")};
+      return {
+        acts(fields.has_temperature, sources.heat_source),
+        acts(fields.has_displacement, sources.body_force),
+        acts(fields.has_displacement, parameters.boundary.right.traction),
+        acts(fields.has_temperature, parameters.boundary.right.heat_flux),
+        parameters.boundary.left.is_free() &&
+          acts(fields.has_displacement, parameters.boundary.left.traction),
+        !heat.has_given_temperature &&
+          acts(fields.has_temperature, parameters.boundary.left.heat_flux),
+        fields.has_temperature && heat.linear_coefficient() > 0. &&
+          heat.obstacle_drive != nullptr,
+        fields.has_temperature && heat.fixed_end_drive != nullptr,
+        has_motion,
+        has_obstacle && gap != nullptr && gap->depends_on("t")};
     }
 
 
@@ -218,6 +233,8 @@ namespace ThermoContact
       const double          b          = parameters.model.inertia;
       const double          w          = mesh.contact_node_length();
       const auto            compliance = law.compliance();
+      if (parameters.boundary.right.mass > 0.)
+        return false; // it is resolved as what it is
       return parameters.model.viscosity <
              (compliance ? 2. * w * std::sqrt(b * (1. + w / *compliance)) :
                            mesh.contact_spacing() * std::sqrt(b));
@@ -239,8 +256,8 @@ namespace ThermoContact
       if (!law.is_active() || parameters.model.inertia == 0. ||
           parameters.mesh.n_nodes(1) == 2.)
         return false;
-      if (scheme.has_no_dispersion)
-        return false; // its mass matrix knows no single nodes
+      if (scheme.has_no_dispersion || parameters.boundary.right.mass > 0.)
+        return false; // its mass matrix knows no single nodes, or they have one
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
       if (law.damping() > 0.)
@@ -388,7 +405,7 @@ namespace ThermoContact
              parameters.model.fields != "temperature"}
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
-    , material(resolve_material(parameters.model, fields))
+    , material(resolve_material(parameters.model, parameters.boundary, fields))
     , gap_expression(read_expression(parameters,
                                      "Contact/Gap",
                                      parameters.contact.gap_expression))
@@ -415,9 +432,10 @@ namespace ThermoContact
                               material,
                               scheme,
                               has_prescribed_start))
-    , has_rollers(parameters.boundary.lateral_support == "rollers")
-    , has_symmetry(parameters.boundary.lateral_support == "symmetric")
-    , has_sliding_end(parameters.boundary.fixed_end_support == "sliding")
+    , has_rollers(parameters.boundary.sides.support == "rollers")
+    , has_symmetry(parameters.boundary.sides.support == "symmetric")
+    , has_sliding_end(parameters.boundary.left.support == "sliding")
+    , has_free_end(parameters.boundary.left.is_free())
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
     , has_midpoint_mass(scheme.has_no_dispersion)
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
@@ -460,10 +478,23 @@ namespace ThermoContact
     };
     add_if(has_temperature, "heat conduction");
     add_if(has_temperature && scene.heat.has_exchange(), "heat exchange");
+    add_if(has_temperature && scene.heat.left_exchange > 0.,
+           "heat exchange on the left");
     add_if(has_temperature && scene.heat.has_lateral_exchange(),
            "lateral heat exchange");
     add_if(has_displacement && material.has_inertia(), "inertia");
     add_if(has_displacement, "elasticity");
+    const auto &left  = scene.parameters.boundary.left;
+    const auto &right = scene.parameters.boundary.right;
+    add_if(has_displacement && scene.has_free_end, "free end on the left");
+    for (const auto &[value, word] :
+         {std::pair(left.spring, "spring on the left"),
+          std::pair(left.dashpot, "dashpot on the left"),
+          std::pair(left.mass, "mass on the left"),
+          std::pair(right.spring, "spring on the right"),
+          std::pair(right.dashpot, "dashpot on the right"),
+          std::pair(right.mass, "mass on the right")})
+      add_if(has_displacement && value > 0., word);
     add_if(has_displacement && material.has_viscosity(), "viscosity");
     add_if(material.has_thermal_stress(), "thermal stress");
     add_if(material.has_heating(), "thermoelastic heating");
@@ -481,6 +512,8 @@ namespace ThermoContact
     add_if(scene.sources.has_body_force, "body force");
     add_if(scene.sources.has_end_traction, "end traction");
     add_if(scene.sources.has_end_heat_flux, "end heat flux");
+    add_if(scene.sources.has_left_traction, "traction on the left");
+    add_if(scene.sources.has_left_heat_flux, "heat flux on the left");
     add_if(scene.sources.has_varying_obstacle,
            "varying temperature of the obstacle");
     add_if(scene.sources.has_driven_temperature,

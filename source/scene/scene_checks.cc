@@ -219,7 +219,7 @@ namespace ThermoContact
                   remedy +
                     "a body without inertia has no velocity to start with");
       start.since(!scene.heat.exchange->is_constant(),
-                  "Boundary/Heat exchange is an expression",
+                  "Boundary/right/Heat exchange is an expression",
                   remedy +
                     "the heat equation alone does not know the pressure");
       start.since(parameters.contact.massless_nodes == "on",
@@ -237,18 +237,19 @@ namespace ThermoContact
       const Parameters &parameters = scene.parameters;
       if (scene.heat.exchange->is_constant())
         return;
-      const Refusal exchange{"Boundary/Heat exchange",
-                             parameters.boundary.exchange_expression,
+      const Refusal exchange{"Boundary/right/Heat exchange",
+                             parameters.boundary.right.exchange_expression,
                              "a number"};
       exchange.since(!scene.contact.law->is_active(),
                      scene.fields.has_displacement ?
                        "Contact/Condition = " + parameters.contact.condition :
                        "Model/Fields = " + parameters.model.fields,
                      "there is neither gap nor pressure");
-      const std::string &obstacle = parameters.boundary.obstacle_expression;
-      Refusal{"Boundary/Obstacle temperature", obstacle, "a number"}.since(
+      const std::string &obstacle =
+        parameters.boundary.right.surroundings_expression;
+      Refusal{"Boundary/right/Surroundings", obstacle, "a number"}.since(
         !obstacle.empty(),
-        "Boundary/Heat exchange is an expression",
+        "Boundary/right/Heat exchange is an expression",
         "a number for one of them");
       exchange.since(!scene.scheme.needs_constant_exchange.empty(),
                      name_of_scheme(scene),
@@ -351,7 +352,7 @@ namespace ThermoContact
       if (!scene.sources.has_moving_end)
         return;
       const TimeFunction &motion = *scene.fixed_end_motion;
-      const Refusal       end{"Boundary/Fixed end displacement",
+      const Refusal       end{"Boundary/left/Displacement",
                         quote(motion.expression.text()),
                         "0"};
       const double        start = motion.value(0.);
@@ -430,7 +431,7 @@ namespace ThermoContact
                    "Solver/Step solver = monolithic: " + iteration +
                      "belongs to its full model");
       solver.since(!scene.heat.exchange->is_constant(),
-                   "Boundary/Heat exchange is an expression",
+                   "Boundary/right/Heat exchange is an expression",
                    iteration + "has a constant one");
       Refusal{"Time/Locate contact events",
               parameters.time.locate_contact_events,
@@ -472,15 +473,88 @@ namespace ThermoContact
 
 
 
+    /** What the ends of a rod carry. */
+    void
+    check_attached(const Scene &scene)
+    {
+      const Parameters         &parameters = scene.parameters;
+      const BoundaryParameters &boundary   = parameters.boundary;
+      for (const auto &[part, end, is_loose] :
+           {std::make_tuple("Boundary/left/",
+                            static_cast<const BoundaryParameters::Attached *>(
+                              &boundary.left),
+                            scene.has_free_end),
+            std::make_tuple("Boundary/right/",
+                            static_cast<const BoundaryParameters::Attached *>(
+                              &boundary.right),
+                            true)})
+        for (const auto &[name, value] : {std::pair("Spring", end->spring),
+                                          std::pair("Dashpot", end->dashpot),
+                                          std::pair("Mass", end->mass)})
+          {
+            if (value == 0. || !is_loose)
+              continue;
+            const Refusal attached{std::string(part) + name, text(value), "0"};
+            const std::string of_mass = "Mass", of_dashpot = "Dashpot";
+            attached.since(parameters.dimension > 1,
+                           text("Dimension = ", parameters.dimension),
+                           std::string(part) + name +
+                             " = 0: only rods carry something on their ends");
+            attached.since(name == of_mass && !scene.material.has_inertia(),
+                           no_inertia,
+                           "Model/Inertia above 0, such as 1e-3 of the mass");
+            attached.since(name == of_dashpot && scene.material.is_static(),
+                           "Model/Inertia = 0 and Model/Viscosity = 0",
+                           "one of them above 0: a body without both moves at "
+                           "once where a load jumps, against any dashpot");
+            attached.since(scene.is_fixed_point,
+                           "Solver/Step solver = fixed point",
+                           "Solver/Step solver = monolithic");
+            const bool is_left_mass = name == of_mass && end == &boundary.left;
+            attached.since(scene.scheme.has_no_dispersion &&
+                             (end == &boundary.right || is_left_mass),
+                           name_of_scheme(scene),
+                           take_default_scheme(
+                             "that one has springs and dashpots on the left "
+                             "alone"));
+          }
+      Refusal{"Contact/Massless nodes", "on", "automatic or off"}.since(
+        parameters.contact.massless_nodes == "on" && boundary.right.mass > 0.,
+        text("Boundary/right/Mass = ", boundary.right.mass),
+        "Contact/Massless nodes = automatic: the contact node has the mass");
+    }
+
+
+
+    /** A body that flies has inertia, and one that rests is held. */
+    void
+    check_hold(const Scene &scene)
+    {
+      if (!scene.has_free_end || !scene.fields.has_displacement)
+        return;
+      const BoundaryParameters &boundary = scene.parameters.boundary;
+      const Refusal support{"Boundary/left/Support", "free", "clamped"};
+      support.since(!scene.material.has_inertia() &&
+                      boundary.left.spring == 0. && boundary.right.spring == 0.,
+                    no_inertia,
+                    "Model/Inertia above 0, or Boundary/left/Spring: nothing "
+                    "holds the body, and nothing resists its motion");
+      support.since(scene.is_fixed_point,
+                    "Solver/Step solver = fixed point",
+                    "Solver/Step solver = monolithic");
+    }
+
+
+
     /** Nothing may push across its axis a body that nothing holds there. */
     void
     check_support(const Scene &scene)
     {
       const Parameters &parameters = scene.parameters;
       if (scene.has_symmetry && scene.heat.has_lateral_exchange())
-        refuse("Boundary/Lateral heat exchange",
+        refuse("Boundary/sides/Heat exchange",
                scene.heat.lateral_exchange,
-               "0, since Boundary/Lateral support = symmetric",
+               "0, since Boundary/sides/Support = symmetric",
                "the whole body, whose lateral faces exchange heat alike");
       if (!scene.has_pins() || !scene.sources.has_body_force)
         return;
@@ -494,11 +568,11 @@ namespace ThermoContact
         if (!force[d].is_constant() || force[d].evaluate(no_variables) != 0.)
           refuse(path,
                  parameters.sources.body_force,
-                 "a force along the axis, since Boundary/Fixed end support = "
-                 "sliding, Boundary/Lateral support = free and Model/Inertia = "
+                 "a force along the axis, since Boundary/left/Support = "
+                 "sliding, Boundary/sides/Support = free and Model/Inertia = "
                  "0",
-                 "Boundary/Lateral support = symmetric or rollers, or "
-                 "Boundary/Fixed end support = clamped: nothing holds the body "
+                 "Boundary/sides/Support = symmetric or rollers, or "
+                 "Boundary/left/Support = clamped: nothing holds the body "
                  "across its axis");
     }
 
@@ -652,6 +726,8 @@ namespace ThermoContact
     check_fixed_point(scene);
     check_scheme(scene);
     check_dispersion(scene);
+    check_attached(scene);
+    check_hold(scene);
     check_support(scene);
     check_linear_solver(scene);
     check_error_bars(parameters);

@@ -76,9 +76,11 @@ namespace ThermoContact
          const std::string &path,
          const std::string &text)
     {
-      ExpressionNames names = parameters.names(path);
+      ExpressionNames                 names = parameters.names(path);
+      const BoundaryParameters::Left &left  = parameters.boundary.left;
       names.constants.emplace("theta_A",
-                              parameters.boundary.fixed_end_temperature);
+                              left.has_temperature() ? left.temperature :
+                                                       left.surroundings);
       return Expression(path, text, names);
     }
 
@@ -163,19 +165,35 @@ namespace ThermoContact
 
 
 
-    /** Whether a traction jumps, also at the start of a run. */
+    /**
+     * Whether the traction on an end jumps, also at the start of a run. A mass
+     * there makes it a force that accelerates.
+     *
+     * @param side 1: the end x = 1, -1: x = 0
+     */
     bool
-    has_jump_of_traction(const Parameters &parameters)
+    has_jump_of_traction(const Parameters                   &parameters,
+                         const int                           side,
+                         const std::string                  &path,
+                         const std::string                  &text,
+                         const BoundaryParameters::Attached &attached)
     {
-      const TimeFunction traction(read(parameters,
-                                       "Sources/End traction",
-                                       parameters.sources.end_traction),
-                                  dealii::Point<1>(1.));
+      if (attached.mass > 0.)
+        return false;
+      const double       end = side > 0 ? 1. : 0.;
+      const TimeFunction traction(read(parameters, path, text),
+                                  dealii::Point<1>(end));
       if (has_breaks(traction, parameters.time.end_time, false))
         return true;
       const InitialValuesParameters &initial = parameters.initial_values;
       const Expression               displacement =
         read(parameters, "Initial values/Displacement", initial.displacement);
+      const Expression velocity =
+        read(parameters, "Initial values/Velocity", initial.velocity);
+      const double expected =
+        traction.value(0.) -
+        side * (attached.spring * jet_in_x(displacement, end).value +
+                attached.dashpot * jet_in_x(velocity, end).value);
       const double     coupling = parameters.model.fields == "displacement" ?
                                     0. :
                                     parameters.model.coupling;
@@ -183,17 +201,18 @@ namespace ThermoContact
         read(parameters,
              "Initial values/Temperature",
              coupling == 0. ? "0" : initial.temperature);
-      double stress = 0., largest = std::abs(traction.value(0.));
+      double                 stress = 0., largest = std::abs(expected);
       constexpr unsigned int n_places = 4;
       for (unsigned int i = 0; i <= n_places; ++i)
         {
           const double x       = i / static_cast<double>(n_places);
           const double strain  = jet_in_x(displacement, x).first;
           const double thermal = coupling * jet_in_x(temperature, x).value;
-          stress               = strain - thermal;
+          if (x == end)
+            stress = strain - thermal;
           largest = std::max({largest, std::abs(strain), std::abs(thermal)});
         }
-      return std::abs(stress - traction.value(0.)) >
+      return std::abs(stress - expected) >
              Tolerances::rounding_of_data * largest;
     }
 
@@ -203,11 +222,11 @@ namespace ThermoContact
     bool
     has_jump_of_velocity(const Parameters &parameters)
     {
-      const std::string &motion = parameters.boundary.fixed_end_displacement;
+      const std::string &motion = parameters.boundary.left.displacement;
       if (equal_values(motion, "0"))
         return false;
       const TimeFunction end(
-        read(parameters, "Boundary/Fixed end displacement", motion));
+        read(parameters, "Boundary/left/Displacement", motion));
       const double given = end.derivatives(0.).first;
       const double there = jet_in_x(read(parameters,
                                          "Initial values/Velocity",
@@ -242,6 +261,15 @@ namespace ThermoContact
         return as_text("Mesh/Grading", mesh.grading);
       if (mesh.mass_matrix != "consistent")
         return as_text("Mesh/Mass matrix", mesh.mass_matrix);
+      for (const auto &[path, value] :
+           {std::pair("Boundary/left/Mass", parameters.boundary.left.mass),
+            std::pair("Boundary/right/Mass", parameters.boundary.right.mass),
+            std::pair("Boundary/right/Spring",
+                      parameters.boundary.right.spring),
+            std::pair("Boundary/right/Dashpot",
+                      parameters.boundary.right.dashpot)})
+        if (value > 0.)
+          return as_text(path, value);
       if (time.step_size)
         return "Time/Step size = a number";
       if (time.first_step_size)
@@ -287,9 +315,20 @@ namespace ThermoContact
       if (law->is_active() &&
           !(law->is_linear() && law->tangent(0.) >= resolved))
         return true;
+      const BoundaryParameters &boundary = parameters.boundary;
       return parameters.dimension == 1 &&
              (has_jump_of_initial_values(parameters) ||
-              has_jump_of_traction(parameters) ||
+              has_jump_of_traction(parameters,
+                                   1,
+                                   "Boundary/right/Traction",
+                                   boundary.right.traction,
+                                   boundary.right) ||
+              (boundary.left.is_free() &&
+               has_jump_of_traction(parameters,
+                                    -1,
+                                    "Boundary/left/Traction",
+                                    boundary.left.traction,
+                                    boundary.left)) ||
               has_jump_of_velocity(parameters));
     }
 

@@ -22,6 +22,12 @@ namespace ThermoContact
     , has_matrices(scene.linear_solver.has_matrices())
     , exchange_coefficient(scene.heat.linear_coefficient())
     , lateral_exchange(scene.heat.lateral_exchange)
+    , has_free_end(scene.has_free_end)
+    , has_given_temperature(scene.heat.has_given_temperature)
+    , left_exchange(scene.heat.left_exchange)
+    , left(scene.parameters.boundary.left)
+    , right(scene.parameters.boundary.right)
+    , rear_gap(scene.contact.rear_gap)
     , gap(scene.contact.gap)
   {
     if (scene.contact.law->is_active() &&
@@ -56,16 +62,27 @@ namespace ThermoContact
     auto
     members(const Material &material)
     {
-      const auto &[a, b, c, d, e, f] = material;
-      return std::tie(a, b, c, d, e, f);
+      const auto &[a, b, c, d, e, f, g] = material;
+      return std::tie(a, b, c, d, e, f, g);
+    }
+
+    auto
+    members(const BoundaryParameters::Attached &end)
+    {
+      const auto &[a, b, c] = end;
+      return std::tie(a, b, c);
     }
 
     auto
     members(const SpatialScene &all)
     {
-      const auto &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = all;
-      const auto others = std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q);
-      return std::tuple_cat(members(a), members(b), members(c), others);
+      const auto
+        &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w] =
+          all;
+      const auto others =
+        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, u, v, w);
+      return std::tuple_cat(
+        members(a), members(b), members(c), members(s), members(t), others);
     }
   } // namespace
 

@@ -51,27 +51,37 @@ namespace ThermoContact
                      "Model/Coupling",
                      "Model/Thermoelastic heating",
                      "Model/Poisson ratio",
-                     "Boundary/Lateral support",
-                     "Boundary/Fixed end support",
-                     "Boundary/Fixed end displacement",
+                     "Boundary/sides/Support",
+                     "Boundary/left/Support",
+                     "Boundary/left/Displacement",
                      "Initial values/Displacement",
                      "Initial values/Velocity",
                      "Sources/Body force",
-                     "Sources/End traction",
+                     "Boundary/left/Traction",
+                     "Boundary/left/Spring",
+                     "Boundary/left/Dashpot",
+                     "Boundary/left/Mass",
+                     "Boundary/right/Traction",
+                     "Boundary/right/Spring",
+                     "Boundary/right/Dashpot",
+                     "Boundary/right/Mass",
                      "Time/Start",
                      "Time/Locate contact events"},
                     fields);
       unused.add_if(!scene.fields.has_temperature,
                     {"Model/Coupling",
                      "Model/Thermoelastic heating",
-                     "Boundary/Fixed end temperature",
-                     "Boundary/Heat exchange",
-                     "Boundary/Obstacle temperature",
-                     "Boundary/Lateral heat exchange",
-                     "Boundary/Ambient temperature",
+                     "Boundary/left/Temperature",
+                     "Boundary/left/Heat exchange",
+                     "Boundary/left/Surroundings",
+                     "Boundary/left/Heat flux",
+                     "Boundary/right/Heat exchange",
+                     "Boundary/right/Surroundings",
+                     "Boundary/sides/Heat exchange",
+                     "Boundary/sides/Surroundings",
                      "Initial values/Temperature",
                      "Sources/Heat source",
-                     "Sources/End heat flux"},
+                     "Boundary/right/Heat flux"},
                     fields);
       unused.add_if(model.coupling == 0.,
                     {"Model/Thermoelastic heating"},
@@ -117,12 +127,32 @@ namespace ThermoContact
     add_by_model(scene, unused);
     unused.add_if(parameters.dimension == 1,
                   {"Model/Poisson ratio",
-                   "Boundary/Lateral support",
-                   "Boundary/Fixed end support",
+                   "Boundary/sides/Support",
                    "Mesh/Width",
                    "Mesh/Cells across",
                    "Mesh/Grading across"},
                   "Dimension = 1");
+    unused.add_if(parameters.dimension == 1 && scene.has_sliding_end,
+                  {"Boundary/left/Support"},
+                  "Dimension = 1");
+    const BoundaryParameters::Left &left = parameters.boundary.left;
+    unused.add_if(!scene.has_free_end,
+                  {"Boundary/left/Traction",
+                   "Boundary/left/Spring",
+                   "Boundary/left/Dashpot",
+                   "Boundary/left/Mass"},
+                  "Boundary/left/Support = " + left.support);
+    unused.add_if(scene.has_free_end,
+                  {"Boundary/left/Displacement"},
+                  "Boundary/left/Support = free");
+    unused.add_if(scene.heat.has_given_temperature,
+                  {"Boundary/left/Heat exchange",
+                   "Boundary/left/Surroundings",
+                   "Boundary/left/Heat flux"},
+                  "Boundary/left/Temperature = " +
+                    (left.temperature_expression.empty() ?
+                       text(left.temperature) :
+                       left.temperature_expression));
     unused.add_if(parameters.dimension > 1,
                   {"Rod/Lateral sides"},
                   "Dimension = " + std::to_string(parameters.dimension));
@@ -139,11 +169,11 @@ namespace ThermoContact
                    "Time/Locate contact events"},
                   condition);
     unused.add_if(!scene.heat.has_exchange(),
-                  {"Boundary/Obstacle temperature"},
-                  "Boundary/Heat exchange = 0");
+                  {"Boundary/right/Surroundings"},
+                  "Boundary/right/Heat exchange = 0");
     unused.add_if(!scene.heat.has_lateral_exchange(),
-                  {"Boundary/Ambient temperature"},
-                  "Boundary/Lateral heat exchange = 0");
+                  {"Boundary/sides/Surroundings"},
+                  "Boundary/sides/Heat exchange = 0");
     const bool        has_fixed_steps = !parameters.time.has_error_control();
     const bool        is_box          = scene.scheme.has_no_dispersion;
     const std::string steps = is_box ? "Time/Scheme = " + scene.scheme.name :

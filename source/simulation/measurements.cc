@@ -113,6 +113,12 @@ namespace ThermoContact
         record.in_contact  = record.penetration > 0.;
       }
     record.stress_end = mean_traction() - record.contact_force;
+    if (const auto &right = body.scene.parameters.boundary.right;
+        right.is_any())
+      record.stress_end -= right.mass > 0. ?
+                             nan : // the mass has a part of the force
+                             right.spring * record.displacement_end +
+                               right.dashpot * record.velocity_end;
 
     if (dim > 1)
       measure_face(state, record);

@@ -182,40 +182,15 @@ namespace ThermoContact
       const StopWatch   watch(attempt.wall_seconds);
       const ContactMode mode   = tracker.mode();
       const LoadBreak  *passed = nullptr;
-      compute_step(time_step);
-      const Verdict verdict = judge(time_step);
-      attempt.error         = verdict.error;
-      switch (verdict.kind)
+      attempt.reason           = judge(time_step, attempt.error);
+      if (attempt.reason.empty())
         {
-          case Verdict::failed:
-            break;
-          case Verdict::inaccurate:
-            attempt.reason = rejected_by_tolerance;
-            controller.reject(time_step, verdict.error, result.order);
-            break;
-          case Verdict::contact_changes:
-            attempt.reason = "contact";
-            together([&]() {
-              if (const std::optional<double> end = tracker.prepare(
-                    verdict.finding, state_, record().energy_terms))
-                controller.aim_at(*end);
-            });
-            break;
-          case Verdict::accept:
-            attempt.reason      = name_of(time_step.target);
-            passed              = commit(verdict.finding);
-            attempt.is_accepted = result.failure.empty();
-            if (attempt.is_accepted)
-              controller.accept(time_step, verdict.error, result.order);
+          controller.accept(time_step, attempt.error);
+          passed              = commit(time_step);
+          attempt.reason      = name_of(time_step.target);
+          attempt.is_accepted = true;
         }
-      if (result.failure.empty())
-        restart_controller(mode, passed);
-      else
-        {
-          attempt.reason = "failed";
-          if (!controller.retry_smaller(time_step))
-            give_up(time_step, result.failure);
-        }
+      restart_controller(mode, passed);
     }
     history_.attempts.push_back(attempt);
     if (attempt.is_accepted)
@@ -252,25 +227,36 @@ namespace ThermoContact
 
 
   template <int dim>
-  typename Simulation<dim>::Verdict
-  Simulation<dim>::judge(const TimeStep &time_step) const
+  std::string
+  Simulation<dim>::judge(const TimeStep &time_step, double &error)
   {
-    Verdict verdict;
+    compute_step(time_step);
     if (!result.failure.empty())
-      return verdict;
-    verdict.error = relative_error();
-    verdict.kind  = Verdict::inaccurate;
-    if (!controller.is_accurate(time_step, verdict.error))
-      return verdict;
-    verdict.finding =
-      tracker.judge(time_step,
-                    result,
-                    error_norm.mechanical_energy(result.energy));
-    verdict.kind = verdict.finding.kind == EventLocator::Finding::at_start ||
-                       verdict.finding.kind == EventLocator::Finding::within ?
-                     Verdict::contact_changes :
-                     Verdict::accept;
-    return verdict;
+      {
+        if (!controller.retry_smaller(time_step))
+          give_up(time_step, result.failure);
+        return "failed";
+      }
+    error = relative_error();
+    if (!controller.is_accurate(time_step, error))
+      {
+        controller.reject(time_step, error);
+        return rejected_by_tolerance;
+      }
+    ContactVerdict verdict;
+    together([&]() {
+      verdict = tracker.judge(time_step,
+                              result,
+                              state_,
+                              record().energy_terms,
+                              is_prescribed_step(),
+                              error_norm.mechanical_energy(result.energy));
+    });
+    if (!result.failure.empty())
+      give_up(time_step, result.failure); // an event of shorter steps as well
+    if (verdict.kind == ContactVerdict::to_time)
+      controller.aim_at(verdict.time);
+    return verdict.kind == ContactVerdict::accept ? "" : "contact";
   }
 
 
@@ -350,7 +336,7 @@ namespace ThermoContact
       result.state.load_time = time_step.last_loads;
       result.state.jump_time = start.jump_time; // no stage moves it at once
       if (result.failure.empty())
-        reset.complete_step(tracker.mode(), result);
+        tracker.complete(result);
       if (result.failure.empty() &&
           !std::isfinite(result.energy.sum() + result.work +
                          result.dissipation))
@@ -358,8 +344,6 @@ namespace ThermoContact
                          "initial values and sources, or a smaller Time/Step "
                          "size";
     });
-    if (result.failure.empty() && parameters().time.has_error_control())
-      error_norm.note_attempt(result.energy, rigid_displacement());
     take_warnings();
   }
 
@@ -379,18 +363,7 @@ namespace ThermoContact
 
   template <int dim>
   double
-  Simulation<dim>::rigid_displacement() const
-  {
-    return scene_.sources.has_moving_end ?
-             result.state.displacement.linfty_norm() :
-             0.;
-  }
-
-
-
-  template <int dim>
-  double
-  Simulation<dim>::relative_error() const
+  Simulation<dim>::relative_error()
   {
     const TimeParameters &time = parameters().time;
     if (!time.has_error_control())
@@ -400,7 +373,10 @@ namespace ThermoContact
         tracker.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
-    return error_norm(error, result.energy, rigid_displacement()) /
+    const double rigid_displacement =
+      scene_.sources.has_moving_end ? result.state.displacement.linfty_norm() :
+                                      0.;
+    return error_norm(error, result.energy, rigid_displacement) /
            time.tolerance;
   }
 
@@ -408,16 +384,14 @@ namespace ThermoContact
 
   template <int dim>
   const LoadBreak *
-  Simulation<dim>::commit(const EventLocator::Finding &finding)
+  Simulation<dim>::commit(const TimeStep &time_step)
   {
-    together([&]() { tracker.accept(finding, result, history_.events); });
+    together([&]() { tracker.accept(result, history_.events); });
     const LoadBreak *const passed =
       result.failure.empty() ? pass_break() : nullptr;
     take_warnings();
-    if (result.failure.empty())
-      tracker.confirm();
-    else
-      tracker.take_back(history_.events);
+    if (!result.failure.empty())
+      give_up(time_step, result.failure);
     return passed;
   }
 
@@ -431,6 +405,7 @@ namespace ThermoContact
     const LoadBreak *at   = controller.followed_loads().break_at(time);
     if (at == nullptr)
       return nullptr;
+    passed_break           = time;
     result.state.load_time = at->new_time;
     together([&]() {
       if (body_.obstacle.is_active())
@@ -441,9 +416,7 @@ namespace ThermoContact
                                                   result))
         tracker.jump(result.state, history_.events);
     });
-    if (result.failure.empty())
-      passed_break = time;
-    else
+    if (!result.failure.empty())
       result.failure = text("inputs have a discontinuity at t = ",
                             QuantityUnits(parameters()).text("time", time),
                             ": ",

@@ -38,6 +38,7 @@ namespace ThermoContact
     const SpatialScene        &scene,
     const Discretization<dim> &discretization)
     : discretization(discretization)
+    , left_coefficient(scene.left_exchange)
     , end_coefficient(scene.exchange_coefficient)
     , lateral_coefficient(scene.lateral_exchange *
                           (dim == 1 || scene.lateral_exchange == 0. ?
@@ -61,12 +62,13 @@ namespace ThermoContact
   HeatExchangeFaces<dim>::coefficient(
     const typename DoFHandler<dim>::face_iterator &face) const
   {
-    constexpr types::boundary_id first_lateral = 2; // y = 0, its axis if any
-    if (!face->at_boundary() || face->boundary_id() == fixed_boundary_id)
+    if (!face->at_boundary())
       return 0.;
+    if (face->boundary_id() == fixed_boundary_id)
+      return left_coefficient;
     if (face->boundary_id() == contact_boundary_id)
       return end_coefficient;
-    return face->boundary_id() == first_lateral &&
+    return face->boundary_id() == first_lateral_id &&
                discretization.geometry().has_axis_at_side() ?
              0. :
              lateral_coefficient;
@@ -99,7 +101,7 @@ namespace ThermoContact
           face_values.reinit(cell, f);
           give(face_values,
                factor,
-               cell->face(f)->boundary_id() != contact_boundary_id,
+               cell->face(f)->boundary_id() >= first_lateral_id,
                [&](const unsigned int i) {
                  return fe.has_support_on_face(i, f);
                });

@@ -46,18 +46,20 @@ namespace ThermoContact
                       scene.fields.n_components(dim))
     , mapping_(1)
     , dof_handler_(*triangulation)
-    , has_pins(scene.has_pins)
+
     , constrained_entries_(2)
   {
     make_grid(scene.mesh, scene.has_matrices ? 0 : scene.mesh.n_halvings());
     distribute_dofs(scene.fields);
-    constraints_ = make_constraints(scene.has_sliding_end);
+    constraints_ = make_constraints(held_components(scene), scene.has_pins);
     collect_constrained();
     collect_nodal_values();
     if (dim > 1)
       add_ghosts_of_cells();
     contact_end_ =
-      std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
+      std::make_unique<const ContactEnd<dim>>(*this,
+                                              *contact_gap<dim>(scene),
+                                              scene.rear_gap);
   }
 
 
@@ -136,19 +138,33 @@ namespace ThermoContact
 
 
   template <int dim>
+  ComponentMask
+  Discretization<dim>::held_components(const SpatialScene &scene) const
+  {
+    ComponentMask held(n_components(), true);
+    if (has_field(Field::temperature) && !scene.has_given_temperature)
+      held.set(first_component(Field::temperature), false);
+    if (has_field(Field::displacement))
+      for (unsigned int d = 0; d < dim; ++d)
+        if (scene.has_free_end || (scene.has_sliding_end && d > 0))
+          held.set(first_component(Field::displacement) + d, false);
+    return held;
+  }
+
+
+
+  template <int dim>
   AffineConstraints<double>
-  Discretization<dim>::make_constraints(const bool has_sliding_end) const
+  Discretization<dim>::make_constraints(const ComponentMask &held,
+                                        const bool           has_pins) const
   {
     AffineConstraints<double> constraints =
       make_unconstrained(owned_, relevant_);
 
     const Functions::ZeroFunction<dim> zero(n_components());
-    ComponentMask                      held(n_components(), true);
-    if (has_sliding_end && has_field(Field::displacement))
-      for (unsigned int d = 1; d < dim; ++d)
-        held.set(first_component(Field::displacement) + d, false);
-    VectorTools::interpolate_boundary_values(
-      mapping_, dof_handler_, fixed_boundary_id, zero, constraints, held);
+    if (held.n_selected_components(n_components()) > 0)
+      VectorTools::interpolate_boundary_values(
+        mapping_, dof_handler_, fixed_boundary_id, zero, constraints, held);
     for (unsigned int d = 1; has_field(Field::displacement) && d < dim; ++d)
       {
         ComponentMask normal(n_components(), false);
@@ -158,7 +174,7 @@ namespace ThermoContact
             VectorTools::interpolate_boundary_values(
               mapping_, dof_handler_, face, zero, constraints, normal);
       }
-    if (has_sliding_end && has_pins)
+    if (has_pins)
       add_pins(constraints);
     constraints.close();
     return constraints;

@@ -121,8 +121,8 @@ namespace ThermoContact
           known.velocity.begin()[entry] = 0.;
       }
     set(Field::displacement, displacement.rates, momentum_lift);
-    if (material.has_viscosity())
-      equations.viscous_stiffness.add(-material.viscosity,
+    if (const double factor = material.viscous_factor(); factor > 0.)
+      equations.viscous_stiffness.add(-factor,
                                       momentum_lift,
                                       momentum_load,
                                       momentum_product);
@@ -215,7 +215,7 @@ namespace ThermoContact
     if (!scene.sources.has_moving_end)
       return;
     set_velocity(time, momentum_lift);
-    equations.viscous_stiffness.add(-scene.material.viscosity,
+    equations.viscous_stiffness.add(-scene.material.viscous_factor(),
                                     momentum_lift,
                                     momentum_load,
                                     momentum_product);

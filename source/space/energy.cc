@@ -4,7 +4,6 @@
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/energy.h>
-#include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +26,7 @@ namespace ThermoContact
     : discretization(discretization)
     , stage_operator(stage_operator)
     , loads(loads)
-    , contact(scene.contact)
-    , law(*contact.law)
+    , law(*scene.contact.law)
     , material(scene.material)
     , heat(scene.heat)
     , has_work_(scene.has_work())
@@ -162,10 +160,10 @@ namespace ThermoContact
                        stage_operator.conduction,
                        state.temperature,
                        &steady_profile_);
-    if (material.has_viscosity())
-      rate += material.viscosity * form(Field::displacement,
-                                        stage_operator.viscous_stiffness,
-                                        state.velocity);
+    if (const double factor = material.viscous_factor(); factor > 0.)
+      rate += factor * form(Field::displacement,
+                            stage_operator.viscous_stiffness,
+                            state.velocity);
     if (!heat.exchange->is_constant())
       {
         set_equal(heat_scratch, state.temperature);
@@ -298,6 +296,42 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** Factors (1 + c v) by which a pressure is divided without loss. */
+    constexpr double smallest_factor = 0.5;
+
+
+
+    /**
+     * $\varphi(s)$ at a node with the pressure $p = \varphi(s)\,[1+c\,v]_+$,
+     * (M4.2), into the local obstacle. At a hard obstacle s has few digits, and
+     * $p-\varphi(s)$ would have none: then it is $p/(1+c\,v)$. A node that goes
+     * in without a pressure does not know of the obstacle yet, in a step that
+     * is held open and misses the begin of contact by s: zero.
+     *
+     * @param rounding of s
+     */
+    double
+    elastic_part(const ContactLaw &law,
+                 const double      pressure,
+                 const double      s,
+                 const double      v,
+                 const double      rounding)
+    {
+      const double of_law = law.pressure(s);
+      const double factor = 1. + law.damping() * v;
+      if (factor < smallest_factor)
+        return of_law;
+      if (pressure == 0.)
+        return v > 0. ? 0. : of_law;
+      const double value = pressure / factor;
+      return std::abs(law.penetration(value) - s) <= rounding ? value : of_law;
+    }
+  } // namespace
+
+
+
   template <int dim>
   const std::vector<double> &
   Energy<dim>::elastic_pressures(const State         &state,
@@ -306,20 +340,21 @@ namespace ThermoContact
     if (law.damping() == 0.)
       return state.contact_pressure;
     const ContactEnd<dim> &end = discretization.contact_end();
+    end.get_values(Field::displacement, state.displacement, scratch);
     end.get_values(Field::displacement, state.velocity, end_velocity);
-    get_node_laws(contact, end, state, laws, position);
-    const double rounding =
-      Tolerances::rounding_of_penetration * state.displacement.linfty_norm();
-    scratch.resize(laws.size());
-    for (unsigned int i = 0; i < laws.size(); ++i)
-      scratch[i] =
-        // velocities of what moves at once say nothing
-        material.is_static() ?
-          laws[i].elastic_pressure(position[i]) :
-          laws[i].elastic_pressure(position[i],
-                                   end_velocity[i],
-                                   state.contact_pressure[i],
-                                   rounding);
+    const double size   = state.displacement.linfty_norm();
+    const auto   stored = [&](const unsigned int i, const int side) {
+      const double s = end.penetration(state, i, side, scratch[i]);
+      if (material.is_static()) // velocities of what moves at once say nothing
+        return law.pressure(s);
+      return elastic_part(law,
+                          std::max(side * state.contact_pressure[i], 0.),
+                          s,
+                          end.velocity_into(state, i, side, end_velocity[i]),
+                          Tolerances::rounding_of_penetration * size);
+    };
+    for (unsigned int i = 0; i < scratch.size(); ++i)
+      scratch[i] = stored(i, 1) - stored(i, -1);
     return scratch;
   }
 
@@ -331,13 +366,15 @@ namespace ThermoContact
   {
     if (law.damping() == 0.)
       return 0.;
+    const ContactEnd<dim>     &end     = discretization.contact_end();
     const std::vector<double> &elastic = elastic_pressures(state, end_pressure);
     double                     rate    = 0.;
     for (unsigned int i = 0; i < elastic.size(); ++i)
       {
-        const double p = state.contact_pressure[i];
-        rate += discretization.contact_end().share(i) * (p - elastic[i]) *
-                (end_velocity[i] - laws[i].rate_under(std::min(p, elastic[i])));
+        const double p    = state.contact_pressure[i];
+        const int    side = end.side_of(std::min(p, elastic[i]));
+        rate += end.share(i) * (p - elastic[i]) * side *
+                end.velocity_into(state, i, side, end_velocity[i]);
       }
     return rate;
   }
@@ -348,14 +385,12 @@ namespace ThermoContact
   double
   Energy<dim>::obstacle_power(const State &state) const
   {
-    const ContactEnd<dim> &end = discretization.contact_end();
-    get_node_laws(contact, end, state, laws, position);
-    double power = 0.;
-    for (unsigned int i = 0; i < laws.size(); ++i)
-      {
-        const double p = state.contact_pressure[i];
-        power -= end.share(i) * p * laws[i].rate_under(p);
-      }
+    const ContactEnd<dim> &end   = discretization.contact_end();
+    double                 power = 0.;
+    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
+      if (const double p = state.contact_pressure[i];
+          end.side_of(p) > 0) // the obstacle behind rests
+        power -= end.share(i) * p * state.gap_rate[i];
     return power;
   }
 
@@ -371,20 +406,23 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    old_state.displacement,
                    old_end_displacement);
-    const std::vector<double> &pressure =
-      elastic_pressures(state, end_pressure);
     const std::vector<double> &old_pressure =
       elastic_pressures(old_state, old_end_pressure);
-    get_node_laws(contact, end, old_state, laws, position);
+    const std::vector<double> &pressure =
+      elastic_pressures(state, end_pressure);
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
-      sum += end.share(i) *
-             laws[i].numerical_dissipation(position[i],
-                                           end_displacement[i] -
-                                             old_end_displacement[i],
-                                           state.gap[i] - old_state.gap[i],
-                                           old_pressure[i],
-                                           pressure[i]);
+      {
+        const int    side   = end.side_of(pressure[i]);
+        const double change = end_displacement[i] - old_end_displacement[i];
+        sum +=
+          end.share(i) *
+          law.numerical_dissipation(
+            side > 0 ? change - (state.gap[i] - old_state.gap[i]) : -change,
+            end.penetration(old_state, i, side, old_end_displacement[i]),
+            side * old_pressure[i],
+            side * pressure[i]);
+      }
     return sum;
   }
 

@@ -152,7 +152,9 @@ namespace ThermoContact
     setup_if(scene.fields.has_temperature, {heat_mass, conduction});
     setup_if(scene.fields.has_displacement, {momentum_mass, stiffness});
     setup_if(scene.material.has_thermal_stress(), {divergence, thermal_stress});
-    setup_if(scene.has_elastic_contact_nodes, {viscous_stiffness});
+    setup_if(scene.has_elastic_contact_nodes || scene.left.is_any() ||
+               scene.right.is_any(),
+             {viscous_stiffness});
     setup_if(scene.lateral_exchange > 0., {lateral_exchange});
     if (dim == 1)
       rod_entries.resize(
@@ -160,6 +162,8 @@ namespace ThermoContact
         (discretization.degree() + 1) * (discretization.degree() + 1));
     assemble_mass();
     assemble_stiffness();
+    if constexpr (dim == 1)
+      assemble_attached();
     if (scene.fields.has_temperature)
       assemble_heat_exchange();
     for (SparseMatrix &matrix : matrices)
@@ -250,6 +254,43 @@ namespace ThermoContact
 
   template <int dim>
   void
+  FieldMatrices<dim>::assemble_attached()
+  {
+    if (!scene.fields.has_displacement)
+      return;
+    const FiniteElement<dim> &fe = discretization.finite_element();
+    FullMatrix<double>        one(fe.dofs_per_cell, fe.dofs_per_cell);
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      for (const unsigned int vertex : {0, 1}) // left, right
+        if (cell->at_boundary(vertex))
+          {
+            const auto &attached   = vertex == 0 ? scene.left : scene.right;
+            const unsigned int dof = fe.component_to_system_index(
+              discretization.first_component(Field::displacement), vertex);
+            const auto add_part = [&](const Kind kind, const double value) {
+              if (value == 0.)
+                return;
+              one           = 0.;
+              one(dof, dof) = value;
+              add(kind, cell, one);
+            };
+            add_part(stiffness, attached.spring);
+            add_part(viscous_stiffness,
+                     attached.dashpot == 0. ?
+                       0. :
+                       attached.dashpot / scene.material.viscous_factor());
+            add_part(momentum_mass,
+                     attached.mass == 0. ?
+                       0. :
+                       attached.mass / scene.material.inertia);
+          }
+  }
+
+
+
+  template <int dim>
+  void
   FieldMatrices<dim>::make_rod()
   {
     const RodLayout layout{discretization.n_active_cells(),
@@ -257,15 +298,14 @@ namespace ThermoContact
     // The sizes of equal cells differ by the rounding of their vertices.
     const double rounding =
       4. * std::numeric_limits<double>::epsilon() * layout.n_cells;
-    rod_ =
-      std::make_unique<const RodMatrices>(layout,
-                                          rounding,
-                                          [this](const Kind         kind,
-                                                 const unsigned int cell,
-                                                 const unsigned int i,
-                                                 const unsigned int j) {
-                                            return rod_entry(kind, cell, i, j);
-                                          });
+    rod_ = std::make_unique<const RodMatrices>(
+      layout,
+      rounding,
+      [this](const Kind         kind,
+             const unsigned int cell,
+             const unsigned int i,
+             const unsigned int j) { return rod_entry(kind, cell, i, j); },
+      std::array<bool, 2>{{scene.left.is_any(), scene.right.is_any()}});
     rod_entries = {};
   }
 
@@ -376,6 +416,8 @@ namespace ThermoContact
           if (scene.material.has_thermal_stress())
             for (const Kind kind : {divergence, thermal_stress})
               add(kind, cell, cell_coupling);
+          if (scene.material.has_dashpots && !scene.material.has_viscosity())
+            continue; // they are all that resists velocities
           if (scene.has_elastic_contact_nodes && touches_contact_end<dim>(cell))
             {
               FullMatrix<double> cell_viscous(n, n);

@@ -45,7 +45,10 @@ namespace ThermoContact
       const BlockTerms terms = block_terms(coefficients, material, field);
       return RodFactors<1>::Block(terms.begin(), terms.end());
     };
-    double growth = 0.;
+    double     growth  = 0.;
+    const auto is_held = [&](const Field::Block field) {
+      return !equations.space().constrained_entries(field).empty();
+    };
     if (is_whole())
       {
         const RodFactors<2>::Block heating{
@@ -56,7 +59,9 @@ namespace ThermoContact
         rod_whole = std::make_unique<const RodFactors<2>>(
           matrices,
           RodFactors<2>::Blocks{{{{block(Field::temperature), heating}},
-                                 {{stress, block(Field::displacement)}}}});
+                                 {{stress, block(Field::displacement)}}}},
+          RodFactors<2>::Held{
+            {is_held(Field::temperature), is_held(Field::displacement)}});
         growth = rod_whole->growth();
       }
     else
@@ -64,7 +69,9 @@ namespace ThermoContact
         if (has(field))
           {
             rod_fields[field] = std::make_unique<const RodFactors<1>>(
-              matrices, RodFactors<1>::Blocks{{{{block(field)}}}});
+              matrices,
+              RodFactors<1>::Blocks{{{{block(field)}}}},
+              RodFactors<1>::Held{{is_held(field)}});
             growth = std::max(growth, rod_fields[field]->growth());
           }
     if (growth <= Tolerances::tolerated_cancellation)

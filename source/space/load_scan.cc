@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -33,8 +33,6 @@ namespace ThermoContact
       /** Nodes have it for their value. */
       bool is_dirichlet = false;
 
-      LoadKind kind = other_load;
-
       const Expression &
       expression() const
       {
@@ -45,14 +43,17 @@ namespace ThermoContact
 
 
     /**
-     * The load at places in the body, or on its end, that are spread evenly and
+     * The load at places in the body, or on its @p end at this x, that are spread evenly and
      * lie nowhere special; at one if it is the same everywhere.
      */
     std::vector<TimeFunction>
-    at_places(const Expression &load, const bool is_on_end, const Scene &scene)
+    at_places(const Expression           &load,
+              const std::optional<double> end,
+              const Scene                &scene)
     {
-      const unsigned int dim   = scene.parameters.dimension;
-      const double       width = scene.parameters.mesh.width;
+      const bool         is_on_end = end.has_value();
+      const unsigned int dim       = scene.parameters.dimension;
+      const double       width     = scene.parameters.mesh.width;
       // parts of the powers of the root of r^4 = r + 1 are spread in the cube
       const double root   = 1.2207440846057596;
       const bool   varies = (!is_on_end && load.depends_on("x")) ||
@@ -60,7 +61,7 @@ namespace ThermoContact
       std::vector<TimeFunction> functions;
       for (unsigned int i = 1; i <= (varies ? n_places : 1); ++i)
         {
-          dealii::Point<3> place(1., 0., 0.);
+          dealii::Point<3> place(end.value_or(1.), 0., 0.);
           for (unsigned int d = is_on_end ? 1 : 0; d < dim; ++d)
             place[d] = (d == 0 ? 1. : width) *
                        std::fmod(0.5 + i * std::pow(root, -1. - d), 1.);
@@ -78,43 +79,37 @@ namespace ThermoContact
       const std::string no_velocity =
         "a ramp of a length that the body can follow: an ";
       std::vector<Load> loads;
-      const auto        add = [&](const Expression  &expression,
-                           const bool         is_on_end,
-                           const std::string &no_jump      = "",
-                           const bool         is_dirichlet = false,
-                           const LoadKind     kind = other_load) {
+      const auto        add = [&](const Expression           &expression,
+                           const std::optional<double> end,
+                           const std::string          &no_jump      = "",
+                           const bool                  is_dirichlet = false) {
         if (expression.depends_on("t"))
-          loads.push_back({at_places(expression, is_on_end, scene),
-                           no_jump,
-                           is_dirichlet,
-                           kind});
+          loads.push_back(
+            {at_places(expression, end, scene), no_jump, is_dirichlet});
       };
       const auto add_source = [&](const ExpressionFunction<dim> *const source,
-                                  const bool     is_on_end,
-                                  const LoadKind kind = other_load) {
+                                  const std::optional<double>          end) {
         if (source != nullptr)
           for (const Expression &component : source->components())
-            add(component, is_on_end, "", false, kind);
+            add(component, end);
       };
-      add_source(data.heat_source.get(), false);
-      add_source(data.body_force.get(), false, force);
-      add_source(data.end_traction.get(), true, force);
-      add_source(data.end_heat_flux.get(), true);
-      add_source(data.obstacle_warming.get(), true);
+      add_source(data.heat_source.get(), std::nullopt);
+      add_source(data.body_force.get(), std::nullopt);
+      add_source(data.end_traction.get(), 1.);
+      add_source(data.end_heat_flux.get(), 1.);
+      add_source(data.left_traction.get(), 0.);
+      add_source(data.left_heat_flux.get(), 0.);
+      add_source(data.obstacle_warming.get(), 1.);
       if (scene.sources.has_driven_temperature)
-        add(scene.heat.fixed_end_drive->expression,
-            true,
-            "",
-            true,
-            fixed_end_temperature);
+        add(scene.heat.fixed_end_drive->expression, 0., "", true);
       if (scene.sources.has_moving_end)
         add(scene.fixed_end_motion->expression,
-            true,
+            0.,
             no_velocity + "end that jumps has no velocity",
             true);
       if (scene.sources.has_moving_obstacle)
         add(*scene.gap_expression,
-            true,
+            1.,
             no_velocity + "obstacle that jumps has no velocity");
       return loads;
     }
@@ -204,32 +199,6 @@ namespace ThermoContact
 
 
 
-    /**
-     * True if a load jumps: if what it changes from one side of a break to the
-     * other is no part of what it changes around; not beyond the end time,
-     * where the jumps of another run may be.
-     */
-    bool
-    jumps_at(const LoadBreak &at, const Load &load, const double end_time)
-    {
-      const double width = std::max(Tolerances::same_time * at.new_time,
-                                    std::numeric_limits<double>::min());
-      const double first = std::max(at.old_time - width, 0.);
-      const double last =
-        std::min(at.new_time + width, std::max(at.new_time, end_time));
-      const auto jumps = [&](const TimeFunction &f) {
-        const double before = f.value(at.old_time),
-                     behind = f.value(at.new_time);
-        const double change = std::abs(behind - before);
-        return change > Tolerances::rounding_of_solution *
-                          std::max(std::abs(before), std::abs(behind)) &&
-               change > 0.5 * std::abs(f.value(last) - f.value(first));
-      };
-      return std::any_of(load.at_places.begin(), load.at_places.end(), jumps);
-    }
-
-
-
     /** How far its values are apart in a span of time. */
     double
     range_of(const Load &load, const double begin, const double end)
@@ -312,11 +281,6 @@ namespace ThermoContact
                               " and has no effect"));
     history.add_breaks(reached);
     history.end_at(time.end_time);
-    for (const Load &load : loads)
-      if (load.kind != other_load)
-        for (LoadBreak &at : history.breaks)
-          if (at.is_jump && jumps_at(at, load, time.end_time))
-            at.jumping |= load.kind;
     return history;
   }
 

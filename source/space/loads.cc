@@ -45,8 +45,16 @@ namespace ThermoContact
     unconstrained.close();
     if (!scene.fields.has_temperature)
       return;
-    integrate_end_flux(
-      Functions::ConstantFunction<dim>(scene.heat.obstacle_heat()));
+    integrate_face(contact_boundary_id,
+                   Field::temperature,
+                   Functions::ConstantFunction<dim>(
+                     scene.heat.obstacle_heat()));
+    if (scene.heat.left_exchange > 0.)
+      integrate_face(fixed_boundary_id,
+                     Field::temperature,
+                     Functions::ConstantFunction<dim>(
+                       scene.heat.left_exchange *
+                       scene.heat.fixed_end_temperature));
     HeatExchangeFaces<dim> faces(scene, discretization);
     if (scene.heat.has_lateral_exchange())
       for (const auto &cell :
@@ -81,13 +89,27 @@ namespace ThermoContact
 
     data.set_time(time);
     if (data.heat_source || data.body_force || data.end_heat_flux ||
-        data.obstacle_warming)
+        data.left_heat_flux || data.left_traction || data.obstacle_warming)
       {
         sources = 0.;
         if (data.end_heat_flux)
-          integrate_end_flux(*data.end_heat_flux);
+          integrate_face(contact_boundary_id,
+                         Field::temperature,
+                         *data.end_heat_flux);
+        if (data.left_heat_flux)
+          integrate_face(fixed_boundary_id,
+                         Field::temperature,
+                         *data.left_heat_flux);
+        if (data.left_traction) // outward is against x
+          integrate_face(fixed_boundary_id,
+                         Field::displacement,
+                         *data.left_traction,
+                         -1.);
         if (data.obstacle_warming)
-          integrate_end_flux(*data.obstacle_warming, exchange_coefficient);
+          integrate_face(contact_boundary_id,
+                         Field::temperature,
+                         *data.obstacle_warming,
+                         exchange_coefficient);
         if (data.heat_source || data.body_force)
           integrate_volume();
         sources.compress(VectorOperation::add);
@@ -156,16 +178,20 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Loads<dim>::integrate_end_flux(const Function<dim> &flux, const double factor)
+  Loads<dim>::integrate_face(const types::boundary_id part,
+                             const Field::Block       field,
+                             const Function<dim>     &load,
+                             const double             factor)
   {
-    for_each_contact_face<dim>(discretization.dof_handler(),
-                               [&](const auto &cell, const unsigned int f) {
-                                 cell_load = 0.;
-                                 face_values.reinit(cell, f);
-                                 add(face_values, flux, Field::temperature);
-                                 cell_load *= factor;
-                                 distribute(cell);
-                               });
+    for_each_face<dim>(part,
+                       discretization.dof_handler(),
+                       [&](const auto &cell, const unsigned int f) {
+                         cell_load = 0.;
+                         face_values.reinit(cell, f);
+                         add(face_values, load, field);
+                         cell_load *= factor;
+                         distribute(cell);
+                       });
   }
 
 

@@ -80,7 +80,7 @@ namespace ThermoContact
       if (!acts)
         return nullptr;
       return std::make_unique<ExpressionFunction<dim>>(
-        read_entry(scene, "Sources/" + entry, text, n_components));
+        read_entry(scene, entry, text, n_components));
     }
 
 
@@ -123,26 +123,36 @@ namespace ThermoContact
     , initial_velocity(initial_function<dim>(scene, true))
     , heat_source(source<dim>(scene,
                               scene.sources.has_heat_source,
-                              "Heat source",
+                              "Sources/Heat source",
                               scene.parameters.sources.heat_source))
     , body_force(source<dim>(scene,
                              scene.sources.has_body_force,
-                             "Body force",
+                             "Sources/Body force",
                              scene.parameters.sources.body_force,
                              dim))
     , end_traction(source<dim>(scene,
                                scene.sources.has_end_traction,
-                               "End traction",
-                               scene.parameters.sources.end_traction))
+                               "Boundary/right/Traction",
+                               scene.parameters.boundary.right.traction))
     , end_heat_flux(source<dim>(scene,
                                 scene.sources.has_end_heat_flux,
-                                "End heat flux",
-                                scene.parameters.sources.end_heat_flux))
+                                "Boundary/right/Heat flux",
+                                scene.parameters.boundary.right.heat_flux))
+    , left_traction(source<dim>(scene,
+                                scene.sources.has_left_traction,
+                                "Boundary/left/Traction",
+                                scene.parameters.boundary.left.traction))
+    , left_heat_flux(source<dim>(scene,
+                                 scene.sources.has_left_heat_flux,
+                                 "Boundary/left/Heat flux",
+                                 scene.parameters.boundary.left.heat_flux))
     , obstacle_warming(warming<dim>(scene))
     , sources(those_that_are<dim>({&heat_source,
                                    &body_force,
                                    &end_traction,
                                    &end_heat_flux,
+                                   &left_traction,
+                                   &left_heat_flux,
                                    &obstacle_warming}))
   {}
 

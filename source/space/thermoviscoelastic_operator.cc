@@ -193,7 +193,7 @@ namespace ThermoContact
   {
     set_sum({{{-1., &stiffness, &state.displacement},
               {material.thermal_stress, &thermal_stress, &state.temperature},
-              {velocity != nullptr ? -material.viscosity : 0.,
+              {velocity != nullptr ? -material.viscous_factor() : 0.,
                &viscous_stiffness,
                velocity}}},
             1.,

@@ -185,9 +185,12 @@ namespace ThermoContact
                             right.velocity.begin());
       }
     solver.solve(size, right, rates);
-    rates.velocity.begin()[0] = end_velocity;
-    for (unsigned int i = 0; i < n_heat_stages; ++i)
-      rates.temperature_rate[i].begin()[0] = end_heating[i];
+    for (const unsigned int entry :
+         body.driven_end.entries(Field::displacement))
+      rates.velocity.begin()[entry] = end_velocity;
+    for (const unsigned int entry : body.driven_end.entries(Field::temperature))
+      for (unsigned int i = 0; i < n_heat_stages; ++i)
+        rates.temperature_rate[i].begin()[entry] = end_heating[i];
   }
 
 
@@ -377,7 +380,7 @@ namespace ThermoContact
             if (!std::isfinite(high))
               throw ComputationError(
                 "no heat exchange coefficient goes with the contact\n  remedy: "
-                " another Boundary/Heat exchange");
+                " another Boundary/right/Heat exchange");
         if (first > 0.)
           for (low  = high - first; (at_low = excess(low)) > 0.;
                high = std::exchange(low, 0.5 * low), at_high = at_low)

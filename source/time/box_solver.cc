@@ -55,11 +55,16 @@ namespace ThermoContact
     const Material &material = body.scene.material;
     const double    tau      = 0.5 * size;
     const Block     momentum{{material.inertia, RodMatrices::momentum_mass},
-                         {tau * (tau + material.viscosity),
-                              RodMatrices::stiffness}};
+                         {tau * tau, RodMatrices::stiffness},
+                         {tau * material.viscous_factor(),
+                              RodMatrices::viscous_stiffness}};
     const auto     &matrices = *body.equations.rod();
     Factors         factors{size, nullptr, nullptr, nullptr, {}};
-    double          growth = 0.;
+    double          growth  = 0.;
+    const auto      is_held = [&](const Field::Block field) {
+      return !body.discretization.constrained_entries(field).empty();
+    };
+    const RodFactors<1>::Held held{{is_held(Field::displacement)}};
     if (body.scene.fields.has_temperature)
       {
         RodFactors<3>::Blocks blocks;
@@ -80,13 +85,18 @@ namespace ThermoContact
           }
         blocks[2][2] = momentum;
         factors.with_heat =
-          std::make_unique<const RodFactors<3>>(matrices, blocks);
+          std::make_unique<const RodFactors<3>>(matrices,
+                                                blocks,
+                                                RodFactors<3>::Held{
+                                                  {is_held(Field::temperature),
+                                                   is_held(Field::temperature),
+                                                   held[0]}});
         growth = factors.with_heat->growth();
       }
     else
       {
         factors.alone = std::make_unique<const RodFactors<1>>(
-          matrices, RodFactors<1>::Blocks{{{{momentum}}}});
+          matrices, RodFactors<1>::Blocks{{{{momentum}}}}, held);
         growth = factors.alone->growth();
       }
     if (material.has_viscosity())
@@ -95,7 +105,9 @@ namespace ThermoContact
           matrices,
           RodFactors<1>::Blocks{
             {{{{{material.inertia, RodMatrices::momentum_mass},
-                {size * material.viscosity, RodMatrices::stiffness}}}}}});
+                {size * material.viscosity,
+                 RodMatrices::viscous_stiffness}}}}}},
+          held);
         growth = std::max(growth, factors.viscous->growth());
       }
     if (!(growth <= Tolerances::tolerated_cancellation))

@@ -112,7 +112,7 @@ def faults_of_start(run):
 
 def faults_of_work(run):
     """That of a constant traction alone, on the way of the end."""
-    force, u = run.settings.get("Sources/End traction", "0"), run.contact["displacement_end"]
+    force, u = run.settings.get("Boundary/right/Traction", "0"), run.contact["displacement_end"]
     if re.fullmatch(r"-0\.\d", force):
         yield differences(run.contact["work"], float(force) * (u - u[0]), 1e-11)
 
@@ -143,7 +143,7 @@ def time_scales(settings):
     epsilon = settings.number("Contact/Compliance")
     if settings.has("temperature"):
         yield "heat", 1
-        if m := settings.number("Boundary/Lateral heat exchange"):
+        if m := settings.number("Boundary/sides/Heat exchange"):
             yield "lateral", 1 / m
     if settings.has("displacement"):
         yield from ((name, value) for name, value in (

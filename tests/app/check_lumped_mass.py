@@ -77,7 +77,7 @@ def largest_error(case):
     initial = expression(degree, vectors @ amounts)
     if fields == "temperature":
         scene = [f"Initial values/Temperature={initial}",
-                 "Boundary/Fixed end temperature=0", "Boundary/Heat exchange=0"]
+                 "Boundary/left/Temperature=0", "Boundary/right/Heat exchange=0"]
     else:
         scene = [f"Initial values/Displacement={initial}",
                  "Initial values/Velocity=0", "Contact/Condition=none",

@@ -50,13 +50,13 @@ def hat(w):
 
 
 KINDS = {  # entry, expression without the pulse, shape, height
-    "traction": ("Sources/End traction", "0", bell, lambda w: 0.2 / w),
+    "traction": ("Boundary/right/Traction", "0", bell, lambda w: 0.2 / w),
     "body force": ("Sources/Body force", "0", hat, lambda w: 0.4 / w),
     "heat source": ("Sources/Heat source", "0", inner_box, lambda w: 20 / w),
-    "heat flux": ("Sources/End heat flux", "0", bell, lambda w: 5 / w),
-    "end": ("Boundary/Fixed end displacement", "0", ramp, lambda w: 0.05),
+    "heat flux": ("Boundary/right/Heat flux", "0", bell, lambda w: 5 / w),
+    "end": ("Boundary/left/Displacement", "0", ramp, lambda w: 0.05),
     "gap": ("Contact/Gap", "0.1", ramp, lambda w: -0.05),
-    "temperature": ("Boundary/Fixed end temperature", "10", box, lambda w: 0.5 / w)}
+    "temperature": ("Boundary/left/Temperature", "10", box, lambda w: 0.5 / w)}
 
 
 def columns_of(name, overrides):

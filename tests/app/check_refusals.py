@@ -17,6 +17,7 @@ FIXED = ("Time/Step size=0.01",)
 EULER = FIXED + ("Time/Scheme=backward euler",)
 CONSERVING = FIXED + ("Time/Scheme=energy conserving",)
 QUASI_STATIC = ("Model/Inertia=0",)
+FREE = ("Boundary/left/Support=free",)
 ITERATION = EULER + ("Solver/Step solver=fixed point",)
 MASSLESS = ("Contact/Massless nodes=on",)
 STUDY = ("Study/Vary=Mesh/Cells = 4 | 8",)
@@ -26,8 +27,8 @@ MANY = f"Study/Vary=Contact/Compliance = {HUNDRED} ; Contact/Gap = "
 RIGID = ("Contact/Condition=rigid",)
 ITERATIVE = PLANE + ("Solver/Linear solver=iterative",)
 POWER = ("Contact/Condition=power law",)
-LOSS = ("Boundary/Lateral heat exchange=2",)
-EXCHANGE = ("Boundary/Heat exchange=1+gap",)
+LOSS = ("Boundary/sides/Heat exchange=2",)
+EXCHANGE = ("Boundary/right/Heat exchange=1+gap",)
 BOX = FIXED + ("Time/Scheme=box",)
 WAVES = ("Mesh/Degree=1", "Model/Viscosity=0")
 
@@ -76,67 +77,67 @@ SCENES = [
      ("Model/Viscosity=0", "Contact/Damping=0"),
      ("Model/Viscosity=0", "Contact/Massless nodes=automatic")),
     # an obstacle whose temperature varies
-    ("Boundary/Obstacle temperature", (), "Boundary/Obstacle temperature=5*sin(t",
-     "Boundary/Obstacle temperature=5*sin(t)", "Boundary/Obstacle temperature=-5"),
-    ("Boundary/Obstacle temperature", (), "Boundary/Obstacle temperature=y*t",
-     ("Boundary/Obstacle temperature=y*t", "Dimension=2", "Mesh/Cells=1")),
-    ("Boundary/Obstacle temperature", EXCHANGE, "Boundary/Obstacle temperature=t",
-     "Boundary/Obstacle temperature=1",
-     ("Boundary/Obstacle temperature=t", "Boundary/Heat exchange=1")),
+    ("Boundary/right/Surroundings", (), "Boundary/right/Surroundings=5*sin(t",
+     "Boundary/right/Surroundings=5*sin(t)", "Boundary/right/Surroundings=-5"),
+    ("Boundary/right/Surroundings", (), "Boundary/right/Surroundings=y*t",
+     ("Boundary/right/Surroundings=y*t", "Dimension=2", "Mesh/Cells=1")),
+    ("Boundary/right/Surroundings", EXCHANGE, "Boundary/right/Surroundings=t",
+     "Boundary/right/Surroundings=1",
+     ("Boundary/right/Surroundings=t", "Boundary/right/Heat exchange=1")),
     # heat that is lost along the rod
-    ("Boundary/Lateral heat exchange", (), "Boundary/Lateral heat exchange=-1e-3",
-     "Boundary/Lateral heat exchange=0", "Boundary/Lateral heat exchange=1e-3"),
-    ("Boundary/Ambient temperature", LOSS, "Boundary/Ambient temperature=sin(t)",
-     "Boundary/Ambient temperature=-300"),
+    ("Boundary/sides/Heat exchange", (), "Boundary/sides/Heat exchange=-1e-3",
+     "Boundary/sides/Heat exchange=0", "Boundary/sides/Heat exchange=1e-3"),
+    ("Boundary/sides/Surroundings", LOSS, "Boundary/sides/Surroundings=sin(t)",
+     "Boundary/sides/Surroundings=-300"),
     ("Output/Period", (), "Output/Period=-1", "Output/Period=0", "Output/Period=0.3"),
     # a fixed end that is heated or moved
-    ("Boundary/Fixed end temperature", (), "Boundary/Fixed end temperature=5*sin(t",
-     "Boundary/Fixed end temperature=5*sin(t)", "Boundary/Fixed end temperature=-5"),
-    ("Boundary/Fixed end temperature", (), "Boundary/Fixed end temperature=x*t",
-     "Boundary/Fixed end temperature=2*t"),
-    ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.1*cos(t)",
-     "Boundary/Fixed end displacement=0.1*cos(t)-0.1"),
-    ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=1",
-     "Boundary/Fixed end displacement=0"),
-    ("Boundary/Fixed end displacement", ("Time/End time=1",),
-     "Boundary/Fixed end displacement=if(t<0.5,0,1)",
-     "Boundary/Fixed end displacement=if(t<0.5,0,t-0.5)"),
-    ("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
-     "Boundary/Fixed end displacement=if(t<0.5,0,1)",
-     "Boundary/Fixed end displacement=if(t<0.5,0,t-0.5)"),
+    ("Boundary/left/Temperature", (), "Boundary/left/Temperature=5*sin(t",
+     "Boundary/left/Temperature=5*sin(t)", "Boundary/left/Temperature=-5"),
+    ("Boundary/left/Temperature", (), "Boundary/left/Temperature=x*t",
+     "Boundary/left/Temperature=2*t"),
+    ("Boundary/left/Displacement", (), "Boundary/left/Displacement=0.1*cos(t)",
+     "Boundary/left/Displacement=0.1*cos(t)-0.1"),
+    ("Boundary/left/Displacement", (), "Boundary/left/Displacement=1",
+     "Boundary/left/Displacement=0"),
+    ("Boundary/left/Displacement", ("Time/End time=1",),
+     "Boundary/left/Displacement=if(t<0.5,0,1)",
+     "Boundary/left/Displacement=if(t<0.5,0,t-0.5)"),
+    ("Boundary/left/Displacement", FIXED + ("Time/End time=1",),
+     "Boundary/left/Displacement=if(t<0.5,0,1)",
+     "Boundary/left/Displacement=if(t<0.5,0,t-0.5)"),
     # a pulse of T/2.6e5 between times of a file in SI units
-    ("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
-     "Boundary/Fixed end displacement="
+    ("Boundary/left/Displacement", FIXED + ("Time/End time=1",),
+     "Boundary/left/Displacement="
      "if((2592120*t)>777000.3,if((2592120*t)<777010.3,1,0),0)",
-     "Boundary/Fixed end displacement="
+     "Boundary/left/Displacement="
      "if((2592120*t)>777000.3,if((2592120*t)<777010.3,0,0),0)"),
     # the same where milliseconds, quotients and differences stand beside the factor
-    *[("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
-       f"Boundary/Fixed end displacement={first}*{second}*1e-9",
-       f"Boundary/Fixed end displacement={first}*{second}*0") for first, second in (
+    *[("Boundary/left/Displacement", FIXED + ("Time/End time=1",),
+       f"Boundary/left/Displacement={first}*{second}*1e-9",
+       f"Boundary/left/Displacement={first}*{second}*0") for first, second in (
            ("if((2592120*t)*1000>777000300,1,0)", "if((2592120*t)*1000-777010300<0,1,0)"),
            ("max(0,sign((t*2592120)/60-12950.005))", "max(0,sign(12950.1716-t*43202))"))],
     # the same beside 210 zeros of t + n before the start
-    *[("Boundary/Fixed end displacement", FIXED + ("Time/End time=1",),
-       *(f"Boundary/Fixed end displacement={zeros}+if(t>0.30000031,if(t<0.30000052,"
+    *[("Boundary/left/Displacement", FIXED + ("Time/End time=1",),
+       *(f"Boundary/left/Displacement={zeros}+if(t>0.30000031,if(t<0.30000052,"
          f"{height},0),0)" for height in (1, 0)))
       for zeros in ("+".join(f"0*max(0,t+{n})" for n in range(1, 211)),)],
-    ("Boundary/Fixed end displacement", (), "Boundary/Fixed end displacement=0.01*sqrt(t)",
-     "Boundary/Fixed end displacement=0.01*t^1.5",
-     ("Boundary/Fixed end displacement=0.01*sin(2*pi*3140*t)", "Time/End time=3600")),
-    ("Boundary/Fixed end displacement", (),
-     "Boundary/Fixed end displacement=0.01*if(t>0,t*log(t),0)",
-     "Boundary/Fixed end displacement=0.01*if(t>0,t^2*log(t),0)"),
-    ("Boundary/Fixed end displacement", ("Time/End time=2",),
-     "Boundary/Fixed end displacement=t/(t-1.1)",
-     "Boundary/Fixed end displacement=t/(t+1.1)"),
-    ("Boundary/Fixed end displacement", CONSERVING, "Boundary/Fixed end displacement=t^2",
-     ("Boundary/Fixed end displacement=t^2", "Time/Scheme=sdirk2"),
-     "Boundary/Fixed end temperature=t^2"),
-    ("Boundary/Fixed end displacement", EULER + ("Time/Start=paper",),
-     "Boundary/Fixed end displacement=t^2",
-     ("Boundary/Fixed end displacement=t^2", "Time/Start=automatic"),
-     "Boundary/Fixed end temperature=t^2"),
+    ("Boundary/left/Displacement", (), "Boundary/left/Displacement=0.01*sqrt(t)",
+     "Boundary/left/Displacement=0.01*t^1.5",
+     ("Boundary/left/Displacement=0.01*sin(2*pi*3140*t)", "Time/End time=3600")),
+    ("Boundary/left/Displacement", (),
+     "Boundary/left/Displacement=0.01*if(t>0,t*log(t),0)",
+     "Boundary/left/Displacement=0.01*if(t>0,t^2*log(t),0)"),
+    ("Boundary/left/Displacement", ("Time/End time=2",),
+     "Boundary/left/Displacement=t/(t-1.1)",
+     "Boundary/left/Displacement=t/(t+1.1)"),
+    ("Boundary/left/Displacement", CONSERVING, "Boundary/left/Displacement=t^2",
+     ("Boundary/left/Displacement=t^2", "Time/Scheme=sdirk2"),
+     "Boundary/left/Temperature=t^2"),
+    ("Boundary/left/Displacement", EULER + ("Time/Start=paper",),
+     "Boundary/left/Displacement=t^2",
+     ("Boundary/left/Displacement=t^2", "Time/Start=automatic"),
+     "Boundary/left/Temperature=t^2"),
     # units of results
     ("Scales/Time", (), "Scales/Length=2", SCALES),
     ("Scales/Temperature", (), SCALES[:-2], SCALES[:-2] + ("Model/Fields=displacement",)),
@@ -186,18 +187,36 @@ SCENES = [
      "Time/Step size=0.01"),
     ("Time/Locate contact events", BOX + WAVES, "Time/Locate contact events=true",
      "Time/Locate contact events=false", POWER, "Contact/Damping=1",
-     "Model/Viscosity=0.1", "Boundary/Fixed end displacement=t^2", EXCHANGE),
+     "Model/Viscosity=0.1", "Boundary/left/Displacement=t^2", EXCHANGE),
     ("Sources/Body force", PLANE + QUASI_STATIC + (
-        "Boundary/Lateral support=free", "Boundary/Fixed end support=sliding"),
+        "Boundary/sides/Support=free", "Boundary/left/Support=sliding"),
      "Sources/Body force=0; 0.1", "Sources/Body force=0.1; 0",
-     ("Sources/Body force=0; 0.1", "Boundary/Fixed end support=clamped"),
-     ("Sources/Body force=0; 0.1", "Boundary/Lateral support=rollers"),
-     ("Sources/Body force=0; 0.1", "Boundary/Lateral support=symmetric"),
+     ("Sources/Body force=0; 0.1", "Boundary/left/Support=clamped"),
+     ("Sources/Body force=0; 0.1", "Boundary/sides/Support=rollers"),
+     ("Sources/Body force=0; 0.1", "Boundary/sides/Support=symmetric"),
      ("Sources/Body force=0; 0.1", "Mesh/Geometry=axisymmetric"),
      ("Sources/Body force=0; 0.1", "Model/Inertia=1e-3")),
-    ("Boundary/Lateral heat exchange", PLANE + ("Boundary/Lateral support=symmetric",),
-     "Boundary/Lateral heat exchange=2", "Boundary/Lateral heat exchange=0",
-     ("Boundary/Lateral heat exchange=2", "Boundary/Lateral support=free")),
+    ("Boundary/left/Spring", FREE + PLANE, "Boundary/left/Spring=1", "Boundary/left/Spring=0"),
+    ("Boundary/right/Mass", QUASI_STATIC, "Boundary/right/Mass=1", "Boundary/right/Mass=0",
+     ("Boundary/right/Mass=1", "Model/Inertia=1e-3")),
+    ("Boundary/left/Dashpot", QUASI_STATIC + FREE + (
+        "Model/Viscosity=0", "Boundary/left/Spring=1"),
+     "Boundary/left/Dashpot=1", "Boundary/left/Dashpot=0",
+     ("Boundary/left/Dashpot=1", "Model/Viscosity=0.1")),
+    ("Boundary/right/Spring", ITERATION, "Boundary/right/Spring=1", "Boundary/right/Spring=0"),
+    *[(f"Boundary/right/{what}", BOX + WAVES, f"Boundary/right/{what}=1",
+       f"Boundary/right/{what}=0", (f"Boundary/right/{what}=1", "Time/Scheme=sdirk4"))
+      for what in ("Spring", "Dashpot", "Mass")],
+    ("Boundary/left/Mass", BOX + WAVES + FREE, "Boundary/left/Mass=1", "Boundary/left/Mass=0",
+     "Boundary/left/Spring=1", "Boundary/left/Dashpot=1"),
+    ("Contact/Massless nodes", ("Boundary/right/Mass=1",), "Contact/Massless nodes=on",
+     "Contact/Massless nodes=off", "Contact/Massless nodes=automatic"),
+    ("Boundary/left/Support", QUASI_STATIC, *FREE, "Boundary/left/Support=clamped",
+     FREE + ("Boundary/left/Spring=1",), FREE + ("Boundary/right/Spring=1",)),
+    ("Boundary/left/Support", ITERATION, *FREE, "Boundary/left/Support=clamped"),
+    ("Boundary/sides/Heat exchange", PLANE + ("Boundary/sides/Support=symmetric",),
+     "Boundary/sides/Heat exchange=2", "Boundary/sides/Heat exchange=0",
+     ("Boundary/sides/Heat exchange=2", "Boundary/sides/Support=free")),
     ("Mesh/Grading across", PLANE, "Mesh/Grading across=0",
      "Mesh/Grading across=1e-3"),
     ("Contact/Gap", (), "Contact/Gap=0.1+y", "Contact/Gap=0.1+0.1",
@@ -288,31 +307,31 @@ SCENES = [
 
     # heat exchange by an expression: not negative and finite for gaps up to 1 or that
     # of the undeformed body, and pressures up to 1; of a body that meets an obstacle
-    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=-1",
-     "Boundary/Heat exchange=0"),
-    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1-1.001*gap",
-     "Boundary/Heat exchange=1-gap"),
-    ("Boundary/Heat exchange", ("Boundary/Heat exchange=2-gap",),
+    ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=-1",
+     "Boundary/right/Heat exchange=0"),
+    ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=1-1.001*gap",
+     "Boundary/right/Heat exchange=1-gap"),
+    ("Boundary/right/Heat exchange", ("Boundary/right/Heat exchange=2-gap",),
      "Contact/Gap=2.001", "Contact/Gap=2"),
-    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1-1.001*pressure",
-     "Boundary/Heat exchange=1-pressure"),
-    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1/gap",
-     "Boundary/Heat exchange=1/(1e-6+gap)"),
-    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=1/(pressure-0.5)^2",
-     "Boundary/Heat exchange=1/(1+pressure)"),
-    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=gap*x",
-     "Boundary/Heat exchange=gap*pi"),
-    ("Boundary/Heat exchange", (), "Boundary/Heat exchange=gap; pressure",
-     "Boundary/Heat exchange=gap + pressure"),
-    ("Boundary/Heat exchange", EXCHANGE, "Contact/Condition=none",
+    ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=1-1.001*pressure",
+     "Boundary/right/Heat exchange=1-pressure"),
+    ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=1/gap",
+     "Boundary/right/Heat exchange=1/(1e-6+gap)"),
+    ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=1/(pressure-0.5)^2",
+     "Boundary/right/Heat exchange=1/(1+pressure)"),
+    ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=gap*x",
+     "Boundary/right/Heat exchange=gap*pi"),
+    ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=gap; pressure",
+     "Boundary/right/Heat exchange=gap + pressure"),
+    ("Boundary/right/Heat exchange", EXCHANGE, "Contact/Condition=none",
      "Contact/Condition=rigid"),
-    ("Boundary/Heat exchange", EXCHANGE, "Model/Fields=temperature",
-     ("Model/Fields=temperature", "Boundary/Heat exchange=2")),
-    ("Boundary/Heat exchange", FIXED + EXCHANGE, "Time/Scheme=energy conserving",
+    ("Boundary/right/Heat exchange", EXCHANGE, "Model/Fields=temperature",
+     ("Model/Fields=temperature", "Boundary/right/Heat exchange=2")),
+    ("Boundary/right/Heat exchange", FIXED + EXCHANGE, "Time/Scheme=energy conserving",
      "Time/Scheme=sdirk2"),
     ("Time/Start", EULER + EXCHANGE, "Time/Start=paper", "Time/Start=automatic",
-     ("Time/Start=paper", "Boundary/Heat exchange=1")),
-    ("Solver/Step solver", ITERATION, EXCHANGE[0], "Boundary/Heat exchange=1+1"),
+     ("Time/Start=paper", "Boundary/right/Heat exchange=1")),
+    ("Solver/Step solver", ITERATION, EXCHANGE[0], "Boundary/right/Heat exchange=1+1"),
 
     # probes: in the body, edges included
     ("Output/Probes", (), "Output/Probes=1.0000001", "Output/Probes=1"),
@@ -388,14 +407,14 @@ SCENES = [
 # the paper where nothing forbids it; a body of which all depends on x alone is a rod.
 SAID = [
     (", start of the paper", EULER,
-     ("Sources/End traction=1", "Contact/Massless nodes=off", "Time/Start=paper"),
-     ("Contact/Massless nodes=on", "Contact/Gap=0.1+t", "Boundary/Fixed end displacement=t^2",
+     ("Boundary/right/Traction=1", "Contact/Massless nodes=off", "Time/Start=paper"),
+     ("Contact/Massless nodes=on", "Contact/Gap=0.1+t", "Boundary/left/Displacement=t^2",
       "Model/Inertia=0", EXCHANGE[0], "Time/Scheme=sdirk2", "Time/Start=consistent")),
     ("Dimension = 1 has the same solution", BLOCK + ("Mesh/Cells=1",),
      ("Initial values/Velocity=x", "Sources/Body force=x; 0; 0", "Sources/Heat source=x*t"),
      ("Initial values/Velocity=x*y", "Initial values/Displacement=x*z", "Sources/Heat source=z",
       "Initial values/Temperature=10-x*y", "Initial values/Velocity=x; 0; x", "Contact/Gap=1+y",
-      "Sources/Body force=0; 1; 0", "Boundary/Lateral support=free", LOSS[0])),
+      "Sources/Body force=0; 1; 0", "Boundary/sides/Support=free", LOSS[0])),
 ]
 
 

@@ -46,12 +46,12 @@ from scenes import draw  # noqa: E402
 
 N = int(sys.argv[2]) if len(sys.argv) > 2 else 40
 FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-THERMAL = ("Initial values/Temperature", "Boundary/Fixed end temperature",
-           "Boundary/Obstacle temperature", "Boundary/Ambient temperature",
-           "Sources/Heat source", "Sources/End heat flux")
+THERMAL = ("Initial values/Temperature", "Boundary/left/Temperature",
+           "Boundary/right/Surroundings", "Boundary/sides/Surroundings",
+           "Sources/Heat source", "Boundary/right/Heat flux")
 MECHANICAL = ("Initial values/Displacement", "Initial values/Velocity",
-              "Sources/Body force", "Sources/End traction",
-              "Boundary/Fixed end displacement")
+              "Sources/Body force", "Boundary/right/Traction",
+              "Boundary/left/Displacement")
 # columns by the powers of temperatures and displacements that they have
 TEMPERATURES = ("temperature_end", "temperature_mean", "heat_flux_end", "lateral_heat_flux")
 LENGTHS = ("displacement_end", "displacement_mid", "velocity_end", "stress_end",
@@ -65,7 +65,7 @@ COUNTS = ("step", "iterations", "algebraic")  # and what a solver leaves
 
 def times(factor, scene, names):
     """Entries times a factor; theta_A is a value of one of them."""
-    drive = scene.get("Boundary/Fixed end temperature", "10")
+    drive = scene.get("Boundary/left/Temperature", "10")
     theta_A = "10" if "cos" in drive else drive
     return {name: f"{factor}*({scene[name].replace('theta_A', f'({theta_A})')})"
             for name in names if name in scene}
@@ -80,7 +80,7 @@ def moves(scene):
 
 
 def exchange_varies(scene):
-    return any(word in scene.get("Boundary/Heat exchange", "") for word in ("gap", "pressure"))
+    return any(word in scene.get("Boundary/right/Heat exchange", "") for word in ("gap", "pressure"))
 
 
 def negated_coupling(scene):
@@ -89,7 +89,7 @@ def negated_coupling(scene):
 
 
 def thermal(scene):
-    return {"Boundary/Fixed end temperature": "10"} | scene if has_heat(scene) else scene
+    return {"Boundary/left/Temperature": "10"} | scene if has_heat(scene) else scene
 
 
 def sign(scene):
@@ -120,8 +120,8 @@ def scaled(scene):
         other["Contact/Rear gap"] = str(2 * float(scene["Contact/Rear gap"]))
     if "Contact/Damping" in scene:
         other["Contact/Damping"] = str(float(scene["Contact/Damping"]) / 2)
-    if "Boundary/Heat exchange" in scene:
-        other["Boundary/Heat exchange"] = scene["Boundary/Heat exchange"].replace(
+    if "Boundary/right/Heat exchange" in scene:
+        other["Boundary/right/Heat exchange"] = scene["Boundary/right/Heat exchange"].replace(
             "pressure", "pressure/2").replace("gap", "gap/2")
     return other, dict.fromkeys(TEMPERATURES + LENGTHS + UNSIGNED, 2.) | dict.fromkeys(
         ENERGIES, 4.)
@@ -130,10 +130,10 @@ def scaled(scene):
 def body(entries):
     def relation(scene):
         is_large = entries["Dimension"] == "3" and scene["Mesh/Degree"] != "2"
-        if scene["Dimension"] != "1" or "Boundary/Lateral heat exchange" in scene or is_large \
+        if scene["Dimension"] != "1" or "Boundary/sides/Heat exchange" in scene or is_large \
                 or scene.get("Time/Scheme") == "box":
             return None
-        elastic = {"Model/Poisson ratio": "0.3", "Boundary/Lateral support": "rollers",
+        elastic = {"Model/Poisson ratio": "0.3", "Boundary/sides/Support": "rollers",
                    } if moves(scene) else {}
         if scene.get("Contact/Condition") == "rigid" and scene["Model/Inertia"] != "0" and \
                 scene.get("Time/Scheme") != "energy conserving":
@@ -162,7 +162,7 @@ def free(scene):
     related = body({"Dimension": "2", "Mesh/Cells across": "2"})(scene)
     if related is None or scene["Model/Fields"] != "displacement":
         return None
-    return related[0] | {"Model/Poisson ratio": "0", "Boundary/Lateral support": "free"}, {}
+    return related[0] | {"Model/Poisson ratio": "0", "Boundary/sides/Support": "free"}, {}
 
 
 def direct(scene):
@@ -185,7 +185,7 @@ def fixed_point(scene):
 
 def base(scene):
     gap, b = scene.get("Contact/Gap", ""), scene.get("Model/Inertia", "0")
-    if "t" not in gap or "Boundary/Fixed end displacement" in scene:
+    if "t" not in gap or "Boundary/left/Displacement" in scene:
         return None
     at_rest, motion = re.fullmatch(r"(0\.08)\+(.*)", gap).groups()  # 0.02*cos(4*t)
     first = scene
@@ -195,7 +195,7 @@ def base(scene):
             "Time/Tolerance": "1e-5", "Contact/Massless nodes": "off"}
     force = {"Sources/Body force": first.get("Sources/Body force", "0") + f"+{b}*0.32*cos(4*t)"}
     return first | (force if b != "0" else {}) | {
-        "Contact/Gap": f"{at_rest}+0.02", "Boundary/Fixed end displacement": f"0.02-{motion}"}, \
+        "Contact/Gap": f"{at_rest}+0.02", "Boundary/left/Displacement": f"0.02-{motion}"}, \
         dict.fromkeys(("displacement_end", "displacement_mid", "velocity_end", "work", "energy",
                        "numerical_dissipation", "dissipation")), first
 
@@ -203,7 +203,7 @@ def base(scene):
 def conserving(scene):
     """Without contact, where a first event later by a step is another motion."""
     if scene["Dimension"] != "1" or scene.get("Model/Inertia", "0") == "0" or \
-            exchange_varies(scene) or "Boundary/Fixed end displacement" in scene:
+            exchange_varies(scene) or "Boundary/left/Displacement" in scene:
         return None
     bare = {key: value for key, value in scene.items() if not key.startswith((
         "Contact/", "Time/Scheme", "Time/Start", "Time/Step size", "Time/Tolerance",
@@ -220,7 +220,7 @@ def alone(scene):
     both = {key: value for key, value in scene.items() if not key.startswith("Contact/")} | {
         "Model/Thermoelastic heating": "false", "Contact/Condition": "none"}
     heat = {key: value for key, value in scene.items() if not key.startswith((
-        "Contact/", "Model/", "Time/Start", "Boundary/Lateral support", *MECHANICAL))}
+        "Contact/", "Model/", "Time/Start", "Boundary/sides/Support", *MECHANICAL))}
     mechanical = dict.fromkeys(LENGTHS + UNSIGNED + ENERGIES + (
         "in_contact", "contact_area", "velocity_end"), None)
     return heat | {"Model/Fields": "temperature"}, mechanical, both
@@ -229,9 +229,9 @@ def alone(scene):
 def rear(scene):
     if not moves(scene) or scene["Contact/Condition"] == "none" or "Contact/Rear gap" in scene:
         return None
-    exchange = scene.get("Boundary/Heat exchange", "0")
-    if exchange in "13" and "t" not in scene.get("Boundary/Obstacle temperature", "0"):
-        return scene | {"Boundary/Heat exchange": f"{exchange}+0*pressure"}, {}
+    exchange = scene.get("Boundary/right/Heat exchange", "0")
+    if exchange in "13" and "t" not in scene.get("Boundary/right/Surroundings", "0"):
+        return scene | {"Boundary/right/Heat exchange": f"{exchange}+0*pressure"}, {}
     return None if "t" in scene["Contact/Gap"] else (scene | {"Contact/Rear gap": "9"}, {})
 
 

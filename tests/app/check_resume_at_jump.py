@@ -38,7 +38,7 @@ def contents(directory):
 
 
 def stop_and_resume(scene, traction):
-    overrides = [f"Sources/End traction={traction}"]
+    overrides = [f"Boundary/right/Traction={traction}"]
     with tempfile.TemporaryDirectory() as name:
         directory = Path(name) / "run"
         start = [scene, "--quiet", "--output", directory]
@@ -55,7 +55,7 @@ def stop_and_resume(scene, traction):
 
 def from_the_start(scene):
     """The load jumps behind t = 0, which a run to T = 0 cannot see."""
-    overrides = ["Sources/End traction=if(t > 0, 0.5, 0)"]
+    overrides = ["Boundary/right/Traction=if(t > 0, 0.5, 0)"]
     with tempfile.TemporaryDirectory() as name:
         directory = Path(name) / "run"
         options = [scene, "--quiet", "--output", directory, *settings(overrides)]
@@ -66,7 +66,7 @@ def from_the_start(scene):
 
 def two_jumps(scene):
     """One at T, another one a rounding error behind it."""
-    traction = "Sources/End traction=if(t > 0.75, 0.4, 0.1) + if(t >= 0.75, 0.4, 0)"
+    traction = "Boundary/right/Traction=if(t > 0.75, 0.4, 0.1) + if(t >= 0.75, 0.4, 0)"
     with tempfile.TemporaryDirectory() as name:
         directory = Path(name) / "run"
         status = run(scene, "--quiet", "--output", directory,

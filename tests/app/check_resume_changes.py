@@ -59,7 +59,7 @@ def numbers_not_refused(reference):
             if path in ("/Dimension", "Time/End time") or "interval" in path:
                 continue
             other = f"{value + 1:.0f}" if value == int(value) else f"{1.01 * value!r}"
-            if path == "Boundary/Fixed end displacement":
+            if path == "Boundary/left/Displacement":
                 other = "0.1*t"  # it begins at zero
             status, message = run(reference, "scene.prm", "--resume", "--set",
                                   f"{path}={other}")
@@ -194,8 +194,8 @@ def with_table():
 subsection Constants
   set F = 0.1
 end
-subsection Sources
-  set End traction = F*table(force.csv, t)
+subsection Boundary
+  set right/Traction = F*table(force.csv, t)
 end
 subsection Time
   set Scheme    = backward euler

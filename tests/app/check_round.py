@@ -47,7 +47,7 @@ def stress_of(strain, nu):
 
 def faults_of(run, states, stresses):
     nu = run.settings.number("Model/Poisson ratio")
-    traction = run.settings.expression("Sources/End traction")
+    traction = run.settings.expression("Boundary/right/Traction")
     young = (1 - 2 * nu) / (1 - nu) * (1 + nu)
     for state, stress in zip(states, stresses):
         t, strain = traction(1.0, state.time), strain_of(state)

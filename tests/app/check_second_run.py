@@ -21,7 +21,7 @@ if (directory / "study.csv").exists():
     Path("rows.csv").write_text("t, F\n0, 1\n2, 2\n")
     Path("scene.prm").write_text(used.read_text())
     status = [run("--quiet", "--output", "first", *settings(
-        ["Study/Vary=", "Study/Keep files=false", "Sources/End traction=table(rows.csv, t)"]),
+        ["Study/Vary=", "Study/Keep files=false", "Boundary/right/Traction=table(rows.csv, t)"]),
         "scene.prm")[0]]
     Path("rows.csv").unlink()
     status.append(run("--quiet", "--output", "again", "first/used.prm")[0])

@@ -55,7 +55,7 @@ FACTORS = {  # the first one that fits
 COMMON = ["Mesh/Cells=4", "Mesh/Degree=2", "Time/End time=0.3", "Output/Probes=0.5",
           "Output/Fields interval=0.1", "Output/Space-time interval=0.1"]
 STRIP = ["Dimension=2", "Mesh/Cells across=2", "Contact/Gap=0.01+y", "Output/Probes=1,0.05",
-         "Boundary/Lateral support=free", "Solver/Linear solver=iterative"]
+         "Boundary/sides/Support=free", "Solver/Linear solver=iterative"]
 COSTS = re.compile(r'.*"(?:[a-z_]*seconds|peak_memory[a-z_]*)":.*|^  (?:time|  ) .*| us per step'
                    r"|^ +[0-9.]+,?$|^ +\]?,?$")
 faults = []
@@ -261,7 +261,7 @@ def check_messages():
 
 Path("scene.prm").write_text("# defaults\n", encoding="utf-8")
 counts = [check_scene("rod", *COMMON, "Contact/Rear gap=0.02",
-                      "Boundary/Heat exchange=1+pressure"), check_scene("strip", *COMMON, *STRIP)]
+                      "Boundary/right/Heat exchange=1+pressure"), check_scene("strip", *COMMON, *STRIP)]
 check_study()
 check_resume()
 check_messages()

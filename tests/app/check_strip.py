@@ -47,12 +47,12 @@ class Strip(Run):
         self.a = s.number("Model/Coupling") if self.has_heat else 0.0
         self.epsilon, self.g = s.number("Contact/Compliance"), s.number("Contact/Gap")
         self.has_obstacle = s["Contact/Condition"] != "none"
-        self.theta_A = s.number("Boundary/Fixed end temperature")
-        self.theta_obs = s.number("Boundary/Obstacle temperature")
-        self.k = s.number("Boundary/Heat exchange")
+        self.theta_A = s.number("Boundary/left/Temperature")
+        self.theta_obs = s.number("Boundary/right/Surroundings")
+        self.k = s.number("Boundary/right/Heat exchange")
         self.drop = self.k / (self.k + 1) * (self.theta_A - self.theta_obs)
-        self.on_rollers = s["Boundary/Lateral support"] == "rollers"
-        self.traction = s.expression("Sources/End traction")
+        self.on_rollers = s["Boundary/sides/Support"] == "rollers"
+        self.traction = s.expression("Boundary/right/Traction")
         self.sums = None
 
     def tractions(self):

@@ -210,7 +210,7 @@ def state_of_rest(run):
     difference, its displacement but for 1e-3 of itself or the gap; else none"""
     s = run.settings
     inner, outer, k = (s.number("Boundary/" + name) for name in (
-        "Fixed end temperature", "Obstacle temperature", "Heat exchange"))
+        "left/Temperature", "right/Surroundings", "right/Heat exchange"))
     drop = k / (1 + k) * (inner - outer)
     g, epsilon = s.number("Contact/Gap"), s.number("Contact/Compliance")
     free = s.number("Model/Coupling") * (inner - drop / 2)

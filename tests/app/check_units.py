@@ -84,11 +84,11 @@ def check_quantities():
     t, theta = RHO * C * L**2 / KAPPA, math.sqrt(E * REF / (RHO * C))
     flux = KAPPA * theta / L
     entries = {
-        "Boundary/Fixed end temperature": ("350", "76.85 degC", 50 / theta),
-        "Boundary/Heat exchange": ("70", "0.007 W/(cm^2 K)", 70 * L / KAPPA),
-        "Boundary/Obstacle temperature": ("320", "46.85 \u00b0C", 20 / theta),
-        "Boundary/Lateral heat exchange": ("900", "0.9 kW/(m^3 K)", 900 * L**2 / KAPPA),
-        "Boundary/Ambient temperature": ("290", "16.85 celsius", -10 / theta),
+        "Boundary/left/Temperature": ("350", "76.85 degC", 50 / theta),
+        "Boundary/right/Heat exchange": ("70", "0.007 W/(cm^2 K)", 70 * L / KAPPA),
+        "Boundary/right/Surroundings": ("320", "46.85 \u00b0C", 20 / theta),
+        "Boundary/sides/Heat exchange": ("900", "0.9 kW/(m^3 K)", 900 * L**2 / KAPPA),
+        "Boundary/sides/Surroundings": ("290", "16.85 celsius", -10 / theta),
         "Contact/Damping": ("0.2", "0.2 ms/mm", 0.2 * L / t),
         "Contact/Gap": ("3e-4", "0.3 mm", 3e-4 / L),
         "Contact/Rear gap": ("5e-4", "500 \u00b5m", 5e-4 / L),
@@ -96,8 +96,8 @@ def check_quantities():
         "Initial values/Displacement": ("0", "0 m", 0),
         "Sources/Heat source": ("2e6", "2 MW/m^3", 2e6 * L / flux),
         "Sources/Body force": ("4e4", "40 kN/m^3", 4e4 * L / E),
-        "Sources/End traction": ("5e5", "5 bar", 5e5 / E),
-        "Sources/End heat flux": ("800", "0.08 W/cm^2", 800 / flux),
+        "Boundary/right/Traction": ("5e5", "5 bar", 5e5 / E),
+        "Boundary/right/Heat flux": ("800", "0.08 W/cm^2", 800 / flux),
         "Time/End time": ("7200", "2 h", 7200 / t),
         "Time/First step size": ("0.03", "30 ms", 0.03 / t),
         "Time/Minimum step size": ("1e-6", "1 us", 1e-6 / t),
@@ -121,13 +121,13 @@ def check_quantities():
     e = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
     theta = math.sqrt(e * REF / (RHO * C))
     needed = {path: entries[path][:2] for path in (
-        "Boundary/Fixed end temperature", "Boundary/Heat exchange", "Contact/Gap",
+        "Boundary/left/Temperature", "Boundary/right/Heat exchange", "Contact/Gap",
         "Time/End time")}
     check_scene("strip.prm", {**needed, "Dimension": ("2", "2"), "Mesh/Width": ("0.06", "6 cm"),
                               "Contact/Compliance": ("2e-12", "2 pm/Pa"),
                               "Time/Step size": ("90", "1.5 min")},
                 {"Mesh/Width": 0.06 / L, "Contact/Compliance": 2e-12 * e / L,
-                 "Time/Step size": 90 / t, "Boundary/Fixed end temperature": 50 / theta,
+                 "Time/Step size": 90 / t, "Boundary/left/Temperature": 50 / theta,
                  "Model/Coupling": ALPHA * (1 + NU) / (1 - NU) * theta,
                  "Model/Poisson ratio": NU, "Scales/Stress": e})
     # without a temperature; Hertz's law: the penetration at which the force is E A
@@ -150,23 +150,23 @@ def check_expressions():
     Path("far").mkdir(exist_ok=True)
     Path("far/load.csv").write_text("t, F\n0, 0\n1, 7e4\n", encoding="utf-8")
     write("far/drives.prm", {
-        "Boundary/Fixed end temperature": ["300 + 50*sin(1e-2*t)"],
-        "Boundary/Heat exchange": ["if(pressure > 2e6, 9, 7/(1 + gap/1e-5))"],
-        "Boundary/Fixed end displacement": ["1e-5*(1 - cos(3e-3*t))"],
+        "Boundary/left/Temperature": ["300 + 50*sin(1e-2*t)"],
+        "Boundary/right/Heat exchange": ["if(pressure > 2e6, 9, 7/(1 + gap/1e-5))"],
+        "Boundary/left/Displacement": ["1e-5*(1 - cos(3e-3*t))"],
         "Contact/Gap": ["5e-5 + 1e-6*t/3600"], "Contact/Stiffness": ["1e9"],
         "Initial values/Temperature": ["theta_A + 2*x/0.3"],
         "Initial values/Velocity": ["1e-9*x"], "Time/End time": ["1e3"],
         "Sources/Body force": ["1e3*x*exp(-1e-3*t)"], "Rod/Small terms": ["dropped"],
-        "Sources/End traction": ["table(load.csv, t)"]}, 0)
+        "Boundary/right/Traction": ["table(load.csv, t)"]}, 0)
     found = scene_of("far/drives.prm", "Rod/Small terms=kept")
     names = {**vars(math), "exchange": lambda is_so, a, b: a if is_so else b}
     for path, variables, by_hand in (
-            ("Boundary/Fixed end temperature", {"t": 0.01},
+            ("Boundary/left/Temperature", {"t": 0.01},
              50 * math.sin(1e-2 * 0.01 * t) / theta),
-            ("Boundary/Heat exchange", {"gap": 0, "pressure": 3e6 / E}, 9 * L / KAPPA),
-            ("Boundary/Heat exchange", {"gap": 1e-4, "pressure": 0},
+            ("Boundary/right/Heat exchange", {"gap": 0, "pressure": 3e6 / E}, 9 * L / KAPPA),
+            ("Boundary/right/Heat exchange", {"gap": 1e-4, "pressure": 0},
              7 / (1 + 1e-4 * L / 1e-5) * L / KAPPA),
-            ("Boundary/Fixed end displacement", {"t": 0.01},
+            ("Boundary/left/Displacement", {"t": 0.01},
              1e-5 * (1 - math.cos(3e-3 * 0.01 * t)) / L),
             ("Contact/Gap", {"t": 0.02}, (5e-5 + 1e-6 * 0.02 * t / 3600) / L),
             ("Initial values/Temperature", {"x": 0.7, "theta_A": 0.01}, 0.01 + 2 * 0.7 / theta),
@@ -182,7 +182,7 @@ def check_missing():
     Path("length.prm").write_text("subsection Rod\n  set Length = 1\nend\n", encoding="utf-8")
     rod, contact = ["Cross-section area", "Density"], ["Contact/Gap", "Contact/Stiffness"]
     hot = ["Conductivity", "Heat capacity", "Reference temperature"]
-    ends = ["Boundary/Fixed end temperature", "Boundary/Heat exchange"]
+    ends = ["Boundary/left/Temperature", "Boundary/right/Heat exchange"]
     for names, *overrides in (
             (rod + ["Young's modulus"] + hot + ["Linear expansion"] + ends + contact,),
             (rod + hot + ends, "Model/Fields=temperature"),
@@ -205,7 +205,7 @@ def check_choices():
     given; units of time that are given or make numbers of ten or more."""
     wave, relaxing = L * math.sqrt(RHO / E), ETA / E
     write("choices.prm", {
-        "Boundary/Fixed end temperature": ["350"], "Boundary/Heat exchange": ["70"],
+        "Boundary/left/Temperature": ["350"], "Boundary/right/Heat exchange": ["70"],
         "Contact/Gap": ["3e-4"], "Contact/Stiffness": ["3e7"], "Time/End time": ["1"],
         "Rod/Small terms": ["automatic"]}, 0)
     long = f"Time/End time={1e9 * wave}"
@@ -216,9 +216,9 @@ def check_choices():
             ("Model/Viscosity", "0", f"Time/End time={1.01e5 * relaxing}"),
             ("Model/Inertia", "kept", long, "Initial values/Velocity=1e-9*x"),
             ("Model/Inertia", "kept", long, "Contact/Rear gap=1"),
-            ("Model/Inertia", "kept", long, "Boundary/Fixed end displacement=1e-9*t"),
+            ("Model/Inertia", "kept", long, "Boundary/left/Displacement=1e-9*t"),
             ("Model/Inertia", "0", long, "Contact/Rear gap=none"),
-            ("Model/Inertia", "0", long, "Boundary/Fixed end displacement=0"),
+            ("Model/Inertia", "0", long, "Boundary/left/Displacement=0"),
             ("Scales/Time unit", "s", "Time/End time=10.1"),
             ("Scales/Time unit", "ms", "Time/End time=9.9"),
             ("Scales/Time unit", "ms", "Time/End time=1.01e-5"),

@@ -13,19 +13,22 @@ from refused_scenes import (  # noqa: E402
 VALUES = {
     "Model/Inertia": "2", "Model/Viscosity": "0.3", "Model/Coupling": "0.1",
     "Model/Thermoelastic heating": "false", "Model/Poisson ratio": "0.3",
-    "Boundary/Fixed end temperature": "5", "Boundary/Heat exchange": "2",
-    "Boundary/Obstacle temperature": "1", "Boundary/Lateral support": "free",
-    "Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "1",
-    "Boundary/Fixed end displacement": "0.1*t",
+    "Boundary/left/Temperature": "5", "Boundary/right/Heat exchange": "2",
+    "Boundary/right/Surroundings": "1", "Boundary/sides/Support": "free",
+    "Boundary/sides/Heat exchange": "2", "Boundary/sides/Surroundings": "1",
+    "Boundary/left/Displacement": "0.1*t",
+    **{f"Boundary/{end}/{what}": "0.1" for end in ("left", "right")
+       for what in ("Traction", "Spring", "Dashpot", "Mass", "Heat flux")},
+    "Boundary/left/Heat exchange": "2", "Boundary/left/Surroundings": "1",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
     "Contact/Damping": "0.5", "Contact/Stiffness": "1e8", "Rod/Lateral sides": "confined",
     "Contact/Gap": "0.2", "Contact/Rear gap": "0.3", "Contact/Massless nodes": "on",
     "Initial values/Temperature": "1", "Initial values/Displacement": "0.01*x",
     "Initial values/Velocity": "x", "Sources/Heat source": "1",
-    "Sources/Body force": "1", "Sources/End traction": "1",
-    "Sources/End heat flux": "1", "Mesh/Mass matrix": "lumped",
+    "Sources/Body force": "1",
+    "Mesh/Mass matrix": "lumped",
     "Mesh/Width": "2", "Mesh/Cells across": "2", "Mesh/Grading across": "2",
-    "Mesh/Geometry": "axisymmetric", "Boundary/Fixed end support": "sliding",
+    "Mesh/Geometry": "axisymmetric", "Boundary/left/Support": "sliding",
     "Time/Start": "consistent",
     "Time/Tolerance": "1e-4", "Time/First step size": "1e-3",
     "Time/Minimum step size": "1e-6", "Time/Maximum step size": "0.1",
@@ -47,26 +50,38 @@ HOT_ROD = tuple(f"Rod/{entry}" for entry in (
     "Length=1", "Cross-section area=1e-4", "Density=7850", "Young's modulus=2.1e11",
     "Poisson ratio=0.3", "Linear expansion=1e-5", "Conductivity=50", "Heat capacity=450",
     "Reference temperature=293")) + (
-        "Boundary/Fixed end temperature=300", "Boundary/Heat exchange=9", "Time/End time=1")
+        "Boundary/left/Temperature=300", "Boundary/right/Heat exchange=9", "Time/End time=1")
 ROD = HOT_ROD + ("Contact/Gap=1e-4",)
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
-     Boundary/Lateral support; Boundary/Fixed end support;
-     Boundary/Fixed end displacement; Contact/Gap;
+     Boundary/sides/Support; Boundary/left/Support;
+     Boundary/left/Displacement; Contact/Gap;
      Contact/Massless nodes; Initial values/Displacement; Initial values/Velocity;
-     Sources/Body force; Sources/End traction; Time/Start;
+     Sources/Body force; Boundary/right/Traction; Time/Start;
      Time/Locate contact events"""
 THERMAL = """Model/Coupling; Model/Thermoelastic heating;
-     Boundary/Fixed end temperature; Boundary/Heat exchange;
-     Boundary/Obstacle temperature; Initial values/Temperature;
-     Sources/Heat source; Sources/End heat flux"""
+     Boundary/left/Temperature; Boundary/right/Heat exchange;
+     Boundary/right/Surroundings; Initial values/Temperature;
+     Sources/Heat source; Boundary/right/Heat flux"""
+
+FREE = ("Boundary/left/Support=free",)
+ON_LEFT = "; ".join(f"Boundary/left/{what}" for what in ("Traction", "Spring", "Dashpot", "Mass"))
+ON_RIGHT = "; ".join(f"Boundary/right/{what}" for what in ("Spring", "Dashpot", "Mass"))
+HEAT_ON_LEFT = "; ".join(
+    f"Boundary/left/{what}" for what in ("Heat exchange", "Surroundings", "Heat flux"))
 
 # reason, entries, the scenes without effect, neighbours where all have one
 SCENES = [
-    ("Dimension = 1", """Model/Poisson ratio; Boundary/Lateral support;
-     Boundary/Fixed end support; Mesh/Width; Mesh/Cells across;
+    ("Dimension = 1", """Model/Poisson ratio; Boundary/sides/Support;
+     Boundary/left/Support; Mesh/Width; Mesh/Cells across;
      Mesh/Grading across""", (), (PLANE,), ("Dimension=3", "Mesh/Cells=1")),
     ("Dimension = 1", "Mesh/Geometry", (), (PLANE,)),
+    ("Boundary/left/Support = clamped", ON_LEFT, (), FREE),
+    ("Boundary/left/Support = free", "Boundary/left/Displacement", FREE, ()),
+    ("Boundary/left/Temperature = 10", HEAT_ON_LEFT, (), ("Boundary/left/Temperature=none",)),
+    ("Model/Fields = temperature", ON_LEFT + ";" + ON_RIGHT, ("Model/Fields=temperature",), FREE),
+    ("Model/Fields = displacement", HEAT_ON_LEFT, ("Model/Fields=displacement",),
+     ("Boundary/left/Temperature=none",)),
     ("Dimension = 3", "Mesh/Geometry", ("Dimension=3", "Mesh/Cells=1"),
      (PLANE,)),
     ("Contact/Condition = rigid", "Contact/Compliance",
@@ -94,10 +109,10 @@ SCENES = [
      ("Contact/Condition=power law",)),
     ("Model/Fields = temperature", "Contact/Rear gap",
      ("Model/Fields=temperature",), ()),
-    ("Boundary/Heat exchange = 0", "Boundary/Obstacle temperature",
-     ("Boundary/Heat exchange=0",), ("Boundary/Heat exchange=1e-9",)),
-    ("Boundary/Lateral heat exchange = 0", "Boundary/Ambient temperature", (),
-     ("Boundary/Lateral heat exchange=1e-9",)),
+    ("Boundary/right/Heat exchange = 0", "Boundary/right/Surroundings",
+     ("Boundary/right/Heat exchange=0",), ("Boundary/right/Heat exchange=1e-9",)),
+    ("Boundary/sides/Heat exchange = 0", "Boundary/sides/Surroundings", (),
+     ("Boundary/sides/Heat exchange=1e-9",)),
     ("Time/Step size = a number", """Time/Tolerance; Time/First step size; Time/Minimum step size;
      Time/Maximum step size""", (STEPS,),
      ("Time/Step size=automatic",)),
@@ -134,9 +149,9 @@ SCENES = [
     ("Model/Fields = temperature", "Study/Target error",
      ("Model/Fields=temperature",), STUDY),
     ("Model/Fields = displacement", THERMAL, ("Model/Fields=displacement",), ()),
-    ("Model/Fields = displacement", "Boundary/Lateral heat exchange; "
-     "Boundary/Ambient temperature", ("Model/Fields=displacement",),
-     ("Boundary/Lateral heat exchange=1e-9",)),
+    ("Model/Fields = displacement", "Boundary/sides/Heat exchange; "
+     "Boundary/sides/Surroundings", ("Model/Fields=displacement",),
+     ("Boundary/sides/Heat exchange=1e-9",)),
     ("Model/Coupling = 0", "Model/Thermoelastic heating", ("Model/Coupling=0",),
      ("Model/Coupling=-1e-9",)),
     ("Model/Inertia = 0", "Mesh/Mass matrix",

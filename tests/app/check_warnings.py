@@ -31,7 +31,7 @@ AUTOMATIC = ("Time/Scheme=sdirk4", "Time/Step size=automatic",
 ELASTIC = ("Contact/Condition=normal compliance", "Contact/Compliance=1e-4")
 
 VARYING = ("Model/Fields=temperature and displacement",
-           "Boundary/Fixed end temperature=0", "Initial values/Temperature=0")
+           "Boundary/left/Temperature=0", "Initial values/Temperature=0")
 STRIP = ELASTIC + ("Dimension=2", "Mesh/Cells across=1")
 
 # The lowest mode of a free rod, b = 1, omega = pi/2: a step of backward euler leaves
@@ -76,8 +76,8 @@ ENERGY = [
     (AUTOMATIC + ELASTIC, 1e-9, 0.02, None),  # 9.6 times 1e-3
     # the other scheme has neither a heat exchange that varies nor the iterative
     # solver, which is asked for
-    (VARYING + ("Boundary/Heat exchange=1+0*gap",), 1e-3, 0, SMALLER + MASSLESS),
-    (VARYING + ("Boundary/Heat exchange=1",), 1e-3, 0,
+    (VARYING + ("Boundary/right/Heat exchange=1+0*gap",), 1e-3, 0, SMALLER + MASSLESS),
+    (VARYING + ("Boundary/right/Heat exchange=1",), 1e-3, 0,
      SMALLER + MASSLESS + CONSERVING),
     (STRIP + ("Solver/Linear solver=iterative",), 1e-3, 0, SMALLER + MASSLESS),
     (STRIP, 1e-3, 0, SMALLER + MASSLESS + CONSERVING),
@@ -137,13 +137,13 @@ LOADS = [
      [r"Sources/Body force changes too fast near t = [\d.e-]+ to be seen before "
       "the run" + HELP]),
     (PULSES + ("Sources/Body force=1e-3*sin(1e2*t)",), []),
-    (PULSES + ("Sources/End traction=1e-9/(t-0.125)",),
-     [r"Sources/End traction is not finite at t = 0\.125" + HELP]),
-    (PULSES + ("Sources/End traction=1e-9/(t-0.5)",), []),
+    (PULSES + ("Boundary/right/Traction=1e-9/(t-0.125)",),
+     [r"Boundary/right/Traction is not finite at t = 0\.125" + HELP]),
+    (PULSES + ("Boundary/right/Traction=1e-9/(t-0.5)",), []),
     (PULSES + ("Sources/Body force=1e-3*sin(1e2*t)", "Time/Break points=0.3;0.28"),
      [r"Time/Break points = 0\.3 is beyond Time/End time = 0\.25 and has no effect"]),
-    (PULSES + (f"Sources/End traction=table({ROWS}, t)",),
-     [r"Sources/End traction: \S+rows.csv has no row at t = 0.25: the value of its nearest "
+    (PULSES + (f"Boundary/right/Traction=table({ROWS}, t)",),
+     [r"Boundary/right/Traction: \S+rows.csv has no row at t = 0.25: the value of its nearest "
       "row holds there"]),
     # fixed steps follow nothing
     (("Time/End time=0.25", "Sources/Body force=1e-3*sin(1e8*t)"), []),

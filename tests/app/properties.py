@@ -29,6 +29,11 @@ def key(*names):
     return check(*(f"summary.json/{name}" for name in names))
 
 
+#: the entries of loads, by the words of the screen
+LOADS = {"Sources/Heat source": "heat source", "Sources/Body force": "body force",
+         "Boundary/right/Traction": "end traction", "Boundary/right/Heat flux": "end heat flux"}
+
+
 class Scene:
     """What the entries of a run say, named as in doc/model.md."""
 
@@ -43,19 +48,18 @@ class Scene:
         self.epsilon = s.number("Contact/Compliance")
         self.m = s.number("Contact/Exponent") if self.condition == "power law" else 1.
         self.c = s.number("Contact/Damping")
-        self.drive = s["Boundary/Fixed end temperature"] if self.has_heat else "0"
+        self.drive = s["Boundary/left/Temperature"] if self.has_heat else "0"
         rear = s.get("Contact/Rear gap", "none")
         self.rear_gap = math.inf if rear == "none" else float(rear)
         self.is_euler = s["Time/Scheme"] == "backward euler"
         self.is_wide = s["Title"].startswith("Wide")
         self.conserves = s["Time/Scheme"] == "energy conserving"
         self.has_cells = s["Time/Scheme"] == "box"
-        sources = ("Heat source", "Body force", "End traction", "End heat flux")
-        self.is_driven = any(s.get(f"Sources/{name}", "0") != "0" for name in sources) or \
-            s.get("Boundary/Fixed end displacement", "0") != "0" or "t" in self.drive or \
+        self.is_driven = any(s.get(path, "0") != "0" for path in LOADS) or \
+            s.get("Boundary/left/Displacement", "0") != "0" or "t" in self.drive or \
             "t" in s.get("Contact/Gap", "0") or "t" in s.get(
-                "Boundary/Obstacle temperature", "0")
-        k = s.get("Boundary/Heat exchange", "0")
+                "Boundary/right/Surroundings", "0")
+        k = s.get("Boundary/right/Heat exchange", "0")
         self.has_states = "pressure" in k or "gap" in k
         self.works = self.is_driven or self.has_states or self.a and s[
             "Model/Thermoelastic heating"] == "false"
@@ -64,9 +68,9 @@ class Scene:
         """theta(1) of a rod at rest with the heat exchange k there: a line, or with a
         lateral one m that of theta'' = m (theta - theta_inf), q^2 = m."""
         s = self.settings
-        inner, outer = float(self.drive), s.number("Boundary/Obstacle temperature")
-        q = max(1e-6, math.sqrt(s.number("Boundary/Lateral heat exchange")))
-        around = s.number("Boundary/Ambient temperature")
+        inner, outer = float(self.drive), s.number("Boundary/right/Surroundings")
+        q = max(1e-6, math.sqrt(s.number("Boundary/sides/Heat exchange")))
+        around = s.number("Boundary/sides/Surroundings")
         return around + (q * (inner - around) + k * (outer - around) * math.sinh(q)) / (
             q * math.cosh(q) + k * math.sinh(q))
 
@@ -129,7 +133,7 @@ def check_contact_law(run):
             yield differences(c[name], numpy.full(len(c), math.nan), 0)
         yield differences(c["in_contact"], 0 * c["time"], 0)
         return
-    p, traction = c["contact_force"], scene.at_end("Sources/End traction", c["time"])
+    p, traction = c["contact_force"], scene.at_end("Boundary/right/Traction", c["time"])
     yield differences(c["stress_end"], traction - p, EXACT, max(
         1., abs(p).max(), abs(traction).max()))
     if not scene.has_obstacle:
@@ -177,12 +181,12 @@ def check_heat_flux(run):
         for name in ("temperature_end", "temperature_mean", "heat_flux_end"):
             yield differences(c[name], numpy.full(len(c), math.nan), 0)
         return
-    before, behind = (scene.at_end("Boundary/Obstacle temperature", time) for time in (
+    before, behind = (scene.at_end("Boundary/right/Surroundings", time) for time in (
         c["time"], c["time"] + 1e-10 * c["time"][-1]))
-    k = s["Boundary/Heat exchange"]
+    k = s["Boundary/right/Heat exchange"]
     if "pressure" in k and not scene.is_rod:
         return
-    k = scene.at_end("Boundary/Heat exchange", c["time"], gap=numpy.maximum(
+    k = scene.at_end("Boundary/right/Heat exchange", c["time"], gap=numpy.maximum(
         0, numpy.nan_to_num(c["gap"])), pressure=abs(numpy.nan_to_num(c["contact_force"])))
     before, behind = (k * (c["temperature_end"] - obstacle) for obstacle in (before, behind))
     flux = c["heat_flux_end"]
@@ -197,7 +201,7 @@ def check_lateral(run):
     if "lateral_heat_flux" not in c.names:
         return
     m, outside = (s.number("Boundary/" + name) for name in (
-        "Lateral heat exchange", "Ambient temperature"))
+        "sides/Heat exchange", "sides/Surroundings"))
     expected = m * (c["temperature_mean"] - outside)  # in a body that of the faces
     if scene_of(run).is_rod or not scene_of(run).is_wide:
         yield differences(c["lateral_heat_flux"], expected,
@@ -395,9 +399,9 @@ def check_snapshots(run):
     c, scene, s = run.contact, scene_of(run), run.settings
     if not scene.is_rod or not run.snapshots():
         return
-    k, theta_obs = s.get("Boundary/Heat exchange", "0"), s.get(
-        "Boundary/Obstacle temperature", "0")
-    is_steady = not s.number("Boundary/Lateral heat exchange") and not (
+    k, theta_obs = s.get("Boundary/right/Heat exchange", "0"), s.get(
+        "Boundary/right/Surroundings", "0")
+    is_steady = not s.number("Boundary/sides/Heat exchange") and not (
         re.search("[a-z]", scene.drive + k + theta_obs))
     e = equidistant(int(s["Mesh/Degree"]))
     B, G = e.values(e.points), e.derivatives(e.points)
@@ -648,14 +652,13 @@ def check_names(run):
     for table in run.tables.values():
         if table.comments[0] != s["Title"] or version not in table.comments[1]:
             yield "the head of a table"
-    exchange, outer = s.get("Boundary/Heat exchange", "0"), s.get("Boundary/Obstacle temperature", "0")
+    exchange, outer = s.get("Boundary/right/Heat exchange", "0"), s.get("Boundary/right/Surroundings", "0")
     gap, has_inertia = s.get("Contact/Gap", "0"), scene.moves and scene.b > 0
-    acts = [name.lower() for name in ("Heat source", "Body force", "End traction", "End heat flux")
-            if s.get(f"Sources/{name}", "0") != "0"]
+    acts = [name for path, name in LOADS.items() if s.get(path, "0") != "0"]
     expected = [name for name, is_there in {
         "heat conduction": scene.has_heat,
         "heat exchange": scene.has_states or float(exchange) > 0,
-        "lateral heat exchange": s.number("Boundary/Lateral heat exchange") > 0,
+        "lateral heat exchange": s.number("Boundary/sides/Heat exchange") > 0,
         "inertia": has_inertia, "elasticity": scene.moves,
         "viscosity": scene.moves and scene.zeta > 0, "thermal stress": scene.a != 0,
         "thermoelastic heating": scene.a and s["Model/Thermoelastic heating"] == "true",
@@ -669,7 +672,7 @@ def check_names(run):
         **dict.fromkeys(acts, True),
         "varying temperature of the obstacle": "t" in outer and not scene.has_states,
         "varying temperature of the fixed end": "t" in scene.drive,
-        "moving fixed end": s.get("Boundary/Fixed end displacement", "0") != "0",
+        "moving fixed end": s.get("Boundary/left/Displacement", "0") != "0",
         "moving obstacle": scene.has_obstacle and "t" in gap}.items() if is_there]
     if terms != expected:
         yield f"terms {terms}, not {expected}"
@@ -711,7 +714,7 @@ def check_head(run):
     if scene.moves:
         lines["model"] = f"b = {scene.b:g}, zeta = {scene.zeta:g}"
     if scene.has_heat:
-        outer = s.get("Boundary/Obstacle temperature", "0")
+        outer = s.get("Boundary/right/Surroundings", "0")
         lines["heat"] = f"theta_obs = {outer if 't' in outer else f'{float(outer):g}'}"
     if scene.has_obstacle:
         front = re.sub("[ty].*", "", gap) if re.search("[ty]", gap) else f"{float(gap):g}"
@@ -828,7 +831,7 @@ def check_forecast(run):
                     0, -u - scene.rear_gap) / scene.epsilon) > 1e-9)):
         yield f"predicted_contact_force {p}"
     if theta is not None and not scene.has_states:
-        yield differences([theta], [scene.rest_of_end(s.number("Boundary/Heat exchange"))],
+        yield differences([theta], [scene.rest_of_end(s.number("Boundary/right/Heat exchange"))],
                           EXACT)
     time, first = m["predicted_first_contact_time"], m["first_contact_time"]
     if time is not None and first is not None and abs(time - first) > 0.05 * first + 0.02:
@@ -850,7 +853,7 @@ def check_forecast(run):
 def check_states(run):
     """Each is at rest with its own heat exchange; the one that the end has come to."""
     m, scene, s = run.summary, scene_of(run), run.settings
-    k, states = s.get("Boundary/Heat exchange", "0"), m.get("states_of_rest")
+    k, states = s.get("Boundary/right/Heat exchange", "0"), m.get("states_of_rest")
     if scene.has_states != (states is not None) or states == [] and scene.is_rod and \
             not scene.is_driven:
         yield "states_of_rest"

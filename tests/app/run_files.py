@@ -92,7 +92,7 @@ class Settings(dict):
     def expression(self, name):
         """A function of numpy arrays x and a number t."""
         code = compiled(self.get(name, "0"))
-        theta_A = eval(compiled(self.get("Boundary/Fixed end temperature", "0")),
+        theta_A = eval(compiled(self.get("Boundary/left/Temperature", "0")),
                        FUNCTIONS | {"t": 0.0})
 
         def value(x, t=0.0, **names):

@@ -25,7 +25,7 @@ def draw(seed):
     s["Output/Fields interval"] = "0.01" if steps == "backward euler" else "0.25"
     if dim > 1 and moves:
         s |= {"Model/Poisson ratio": "0.3",
-              "Boundary/Lateral support": r.choice(["free", "rollers"])}
+              "Boundary/sides/Support": r.choice(["free", "rollers"])}
     middle = ", 0.05" * (dim - 1)
     s["Output/Probes"] = f"0.5{middle}; 1{middle}"
     if heat:
@@ -38,8 +38,8 @@ def draw(seed):
         s["Contact/Rear gap"] = "0.01"
     if dim == 1 and "Contact/Rear gap" in s:
         if "Model/Coupling" in s:
-            s |= {"Model/Coupling": "0.001", "Boundary/Heat exchange": "3/(1+20*gap)",
-                  "Boundary/Obstacle temperature": "4"}
+            s |= {"Model/Coupling": "0.001", "Boundary/right/Heat exchange": "3/(1+20*gap)",
+                  "Boundary/right/Surroundings": "4"}
         if seed % 4 in (0, 3) and s["Model/Inertia"] != "0":
             s["Initial values/Velocity"] = "-x"
     if dim == 1 and moves and seed % 4 == 1 and s["Model/Inertia"] != "0":
@@ -60,18 +60,18 @@ def draw_box(s):
 
 def draw_heat(r, s):
     s["Initial values/Temperature"] = r.choice(["theta_A*(1-x)", "theta_A*x^2", "theta_A"])
-    s["Boundary/Fixed end temperature"] = r.choice(["10", "5", "-8", "10*cos(t)"])
-    s["Boundary/Heat exchange"] = r.choice(["1", "0", "3", "3", "1+20*pressure"])
-    if s["Boundary/Heat exchange"] in ("1", "3"):
-        s["Boundary/Obstacle temperature"] = r.choice(["0", "4", "1.23456789012+2*t"])
+    s["Boundary/left/Temperature"] = r.choice(["10", "5", "-8", "10*cos(t)"])
+    s["Boundary/right/Heat exchange"] = r.choice(["1", "0", "3", "3", "1+20*pressure"])
+    if s["Boundary/right/Heat exchange"] in ("1", "3"):
+        s["Boundary/right/Surroundings"] = r.choice(["0", "4", "1.23456789012+2*t"])
     if r.random() < 0.3:
-        s |= {"Boundary/Lateral heat exchange": "2", "Boundary/Ambient temperature": "-3"}
-        if "t" in s["Boundary/Fixed end temperature"] and "Time/Scheme" in s:
+        s |= {"Boundary/sides/Heat exchange": "2", "Boundary/sides/Surroundings": "-3"}
+        if "t" in s["Boundary/left/Temperature"] and "Time/Scheme" in s:
             s["Time/Scheme"] = "backward euler"
     if r.random() < 0.2:
         s["Sources/Heat source"] = "20*x*t"
     if r.random() < 0.2:
-        s["Sources/End heat flux"] = "3+t^2"
+        s["Boundary/right/Heat flux"] = "3+t^2"
 
 
 def draw_motion(r, s, heat):
@@ -96,14 +96,14 @@ def draw_motion(r, s, heat):
         if r.random() < 0.3:
             s["Contact/Rear gap"] = "0.01"
     if r.random() < 0.3:
-        s["Sources/End traction"] = r.choice(["0.3*sin(3*t)", "0.2-0.5*t"])
+        s["Boundary/right/Traction"] = r.choice(["0.3*sin(3*t)", "0.2-0.5*t"])
     if r.random() < 0.2:
         s["Sources/Body force"] = "0.5*x*cos(2*t)"
     if r.random() < 0.2:
-        s["Boundary/Fixed end displacement"] = "0.03*(1-cos(5*t))"
+        s["Boundary/left/Displacement"] = "0.03*(1-cos(5*t))"
     if not heat and s["Model/Inertia"] != "0" and s.get("Time/Scheme", "").startswith(
             "sdirk") and s["Contact/Condition"] in ("normal compliance", "rigid") and not {
-                "Contact/Damping", "Boundary/Fixed end displacement"} & set(s):
+                "Contact/Damping", "Boundary/left/Displacement"} & set(s):
         s |= {"Time/Scheme": "energy conserving", "Initial values/Velocity": "x"}
     if s["Dimension"] != "1" and s.get("Contact/Gap") == "0.1" and "Contact/Rear gap" not in s:
         s["Contact/Gap"] = "0.05+0.5*(y-0.03)^2"

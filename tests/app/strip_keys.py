@@ -13,7 +13,7 @@ def check_summary(strip):
     s, entries = strip.summary, strip.settings
     along = int(entries["Mesh/Cells"]) * strip.degree + 1
     across = int(entries["Mesh/Cells across"]) * strip.degree + 1
-    remark = ("no closed form with sources" if entries["Sources/End traction"] != "0" else
+    remark = ("no closed form with sources" if entries["Boundary/right/Traction"] != "0" else
               "no closed form with free lateral faces" if not strip.on_rollers else "")
     c = strip.contact
     expected = {"dimension": 2, "dofs": along * across * (2 + strip.has_heat),

@@ -79,7 +79,7 @@ class WideScene(dict):
                      "Mesh/Cells across": r.randint(1, 2), "Mesh/Width": self.number(0.05, 1)}
             if self.moves:
                 self["Model/Poisson ratio"] = self.pick(0.49, round(r.uniform(-0.5, 0.45), 2))
-                self["Boundary/Lateral support"] = self.pick("free", "rollers")
+                self["Boundary/sides/Support"] = self.pick("free", "rollers")
         elif self.happens(0.3):
             self["Mesh/Grading"] = self.number(1e-4, 1e4)
 
@@ -117,11 +117,11 @@ class WideScene(dict):
             self.u = self.signed(1e-3, 1, 1e-9, 1e3)
             self["Initial values/Displacement"] = f"{self.u}" + self.pick("*x", "*x^3")
         if self.happens(0.2):
-            self[self.pick("Sources/Body force", "Sources/End traction")] = self.drive(
+            self[self.pick("Sources/Body force", "Boundary/right/Traction")] = self.drive(
                 0, self.amplitude())
         if self.happens(0.2) and not conserves:
             size, w, at = self.signed(1e-3, 1, 1e-9, 1e3), self.frequency(), self.moment()
-            self["Boundary/Fixed end displacement"] = f"{size}*" + self.pick(
+            self["Boundary/left/Displacement"] = f"{size}*" + self.pick(
                 f"sin({w}*t)^2", f"max(0,t-{at})", f"t^2*exp(-{w}*t)")
 
     def draw_obstacle(self):
@@ -157,21 +157,21 @@ class WideScene(dict):
 
     def draw_heat(self):
         hot = self.amplitude()
-        self["Boundary/Fixed end temperature"] = hot if self.happens(0.7) else self.drive(
+        self["Boundary/left/Temperature"] = hot if self.happens(0.7) else self.drive(
             hot, self.amplitude())
         self["Initial values/Temperature"] = self.pick(
             "theta_A", "theta_A*(1-x)", f"theta_A+({self.amplitude()})*sin(4*x)")
         k, g = self.number(0.1, 100, 1e-9, 1e9), self.number(1e-4, 1)
-        self["Boundary/Heat exchange"] = self.pick(0, k, k)
+        self["Boundary/right/Heat exchange"] = self.pick(0, k, k)
         if self.moves and self.scheme != "energy conserving" and self.happens(0.3):
-            self["Boundary/Heat exchange"] = self.pick(
+            self["Boundary/right/Heat exchange"] = self.pick(
                 f"{k}*{g}/({g}+gap)+{k}*pressure", f"if(pressure>0,{k},1)")
-        elif self["Boundary/Heat exchange"] and self.happens(0.5):
-            self["Boundary/Obstacle temperature"] = self.pick(
+        elif self["Boundary/right/Heat exchange"] and self.happens(0.5):
+            self["Boundary/right/Surroundings"] = self.pick(
                 self.amplitude(), self.drive(0, self.amplitude()))
         if self.happens(0.3):
-            self["Boundary/Lateral heat exchange"] = self.number(0.1, 100, 1e-6, 1e6)
-            self["Boundary/Ambient temperature"] = self.amplitude()
+            self["Boundary/sides/Heat exchange"] = self.number(0.1, 100, 1e-6, 1e6)
+            self["Boundary/sides/Surroundings"] = self.amplitude()
         if self.happens(0.1):
-            self[self.pick("Sources/Heat source", "Sources/End heat flux")] = self.drive(
+            self[self.pick("Sources/Heat source", "Boundary/right/Heat flux")] = self.drive(
                 0, self.amplitude())

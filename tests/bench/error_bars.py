@@ -80,8 +80,8 @@ def draw_scene(generator):
     else:
         entries.update({
             "Model/Coupling": log_uniform(generator, -2, -0.5),
-            "Boundary/Heat exchange": log_uniform(generator, -1, 1),
-            "Boundary/Fixed end temperature": f"{generator.uniform(2, 12):.3g}",
+            "Boundary/right/Heat exchange": log_uniform(generator, -1, 1),
+            "Boundary/left/Temperature": f"{generator.uniform(2, 12):.3g}",
             "Initial values/Velocity": f"{generator.uniform(0, 25):.3g}*x*(x-1)^2"})
     law = generator.random()
     if law < 0.1:

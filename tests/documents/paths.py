@@ -64,8 +64,10 @@ def pattern_of_paths(entries):
                          for entry in entries if "/" in entry})
     word = "[A-Z][a-z]+"
     return re.compile(rf"""(?<![\w/.-])
-                           (?:({word}(?:[ ][a-z]+)*)/(?=({word}[\w' -]*)) |
-                              ((?i:{sections}))/(?=([A-Za-z][\w' -]*)))""",
+                           (?:({word}(?:[ ][a-z]+)*)/
+                                  (?=((?:[a-z]+/)?{word}[\w' -]*)) |
+                              ((?i:{sections}))/
+                                  (?=((?:[A-Za-z]+/)?[A-Za-z][\w' -]*)))""",
                       re.X)
 
 
@@ -83,8 +85,9 @@ def begins_with(words, path):
 def wrong_paths(name, text, entries):
     """How many paths in a text are right, and those that no entry has."""
     n_right, wrong = 0, []
+    inner = {entry.rsplit("/", 1)[0] for entry in entries if entry.count("/") > 1}
     for at, path in paths_of(text, pattern_of_paths(entries)):
-        if any(begins_with(path, entry) for entry in entries):
+        if path in inner or any(begins_with(path, entry) for entry in entries):
             n_right += 1
         elif not any(begins_with(path, entry) and place in ("*", name)
                      for entry, place in NO_ENTRIES.items()):
@@ -107,7 +110,7 @@ def declared(program, *options):
 
 def check_self():
     """Texts of each kind, and how many wrong paths are in them."""
-    entries = {"Time/Step size", "Time/Step", "Mesh/Cells"}
+    entries = {"Time/Step size", "Time/Step", "Mesh/Cells", "Boundary/left/Mass"}
     cases = [
         (strings_of_cpp, 'refuse("Time/Step size");', 0),
         (strings_of_cpp, 'refuse("Time/Stepsize");', 1),
@@ -117,6 +120,8 @@ def check_self():
         (strings_of_cpp, '"Time/Step = " + x + ", Mesh/Cell = "', 1),
         (strings_of_cpp, '// "Time/Steps"\n/* "Mesh/Cell" */ \'"\' "x"', 0),
         (strings_of_cpp, '"Section/Entry = value", "N/m", "http://A/B"', 0),
+        (strings_of_cpp, '"Boundary/left/Mass", "Boundary/left"', 0),
+        (strings_of_cpp, '"Boundary/left/Masses", "Boundary/right/Mass", "Boundary/lef"', 3),
         (code_of_page, "Time/Steps\n`Mesh/Cell=1`\n```\nMesh/Cell\n```\n", 2),
     ]
     return [f"paths.py: {n} wrong paths expected in {text!r}"

@@ -35,8 +35,8 @@ import thermocontact
 n_failed = 0
 SCENE = {"Model/Inertia": 0, "Model/Viscosity": 0, "Contact/Gap": 0.1,
          "Contact/Compliance": 0.5, "Initial values/Temperature": "0*x",
-         "Boundary/Fixed end temperature": 20, "Time/End time": 10,
-         "Boundary/Heat exchange": 1, "Boundary/Obstacle temperature": 0,
+         "Boundary/left/Temperature": 20, "Time/End time": 10,
+         "Boundary/right/Heat exchange": 1, "Boundary/right/Surroundings": 0,
          "Model/Coupling": 0.017}
 DROP = 10.0
 FORCE = (0.017 * (20 - DROP / 2) - 0.1) / 1.5

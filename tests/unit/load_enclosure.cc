@@ -44,7 +44,7 @@ namespace
   function(const std::string &text)
   {
     return TimeFunction(
-      Expression("Sources/End traction", text, {{"", "", "", "t"}, {}}));
+      Expression("Boundary/right/Traction", text, {{"", "", "", "t"}, {}}));
   }
 
 

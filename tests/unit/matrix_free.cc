@@ -54,18 +54,18 @@ namespace
   make_parameters(const unsigned int dim, const unsigned int degree)
   {
     Parameters parameters;
-    parameters.dimension                      = dim;
-    parameters.mesh.degree                    = degree;
-    parameters.mesh.cells                     = 2;
-    parameters.mesh.cells_across              = 2;
-    parameters.mesh.width                     = 0.7;
-    parameters.boundary.heat_exchange         = 3.;
-    parameters.boundary.lateral_heat_exchange = 2.;
-    parameters.boundary.lateral_support       = "free";
-    parameters.contact.massless_nodes         = "off";
-    parameters.model.coupling                 = 0.5;
-    parameters.model.poisson_ratio            = 0.3;
-    parameters.initial_values.temperature     = "sin(3*x)";
+    parameters.dimension                    = dim;
+    parameters.mesh.degree                  = degree;
+    parameters.mesh.cells                   = 2;
+    parameters.mesh.cells_across            = 2;
+    parameters.mesh.width                   = 0.7;
+    parameters.boundary.right.heat_exchange = 3.;
+    parameters.boundary.sides.heat_exchange = 2.;
+    parameters.boundary.sides.support       = "free";
+    parameters.contact.massless_nodes       = "off";
+    parameters.model.coupling               = 0.5;
+    parameters.model.poisson_ratio          = 0.3;
+    parameters.initial_values.temperature   = "sin(3*x)";
     parameters.initial_values.displacement =
       dim == 2 ? "sin(2*x)*exp(y); x*cos(3*y)" :
                  "sin(2*x)*exp(y); cos(3*z); y*sin(x)/(2+z)";

@@ -214,9 +214,9 @@ namespace
       std::string              inside, outside, base, unit;
     };
     for (const Bound &one : std::vector<Bound>{
-           {{"Boundary/Ambient temperature",
-             "Boundary/Fixed end temperature",
-             "Boundary/Obstacle temperature",
+           {{"Boundary/sides/Surroundings",
+             "Boundary/left/Temperature",
+             "Boundary/right/Surroundings",
              "Initial values/Temperature",
              "Rod/Reference temperature"},
             "151",

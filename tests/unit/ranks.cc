@@ -59,7 +59,7 @@ namespace
                        {"Mesh/Cells across=2",
                         "Mesh/Width=0.4",
                         "Model/Poisson ratio=0.3",
-                        "Boundary/Lateral support=free"});
+                        "Boundary/sides/Support=free"});
     const Parameters parameters = read_parameters("", overrides);
     const auto       alone      = run<dim>(parameters, MPI_COMM_SELF);
     const auto       together   = run<dim>(parameters, MPI_COMM_WORLD);
@@ -153,16 +153,16 @@ main_ranks()
              {"Contact/Condition=rigid",
               "Sources/Heat source=x*t",
               "Sources/Body force=sin(t)*x",
-              "Sources/End traction=0.3*t",
-              "Sources/End heat flux=1+t"},
+              "Boundary/right/Traction=0.3*t",
+              "Boundary/right/Heat flux=1+t"},
              0.);
   compare<2>("rigid obstacle and sources",
              {"Contact/Condition=rigid",
               "Time/Scheme=sdirk2",
               "Sources/Heat source=x*t",
               "Sources/Body force=sin(t)*x; y",
-              "Sources/End traction=0.3*t*(1+y)",
-              "Sources/End heat flux=1+t"});
+              "Boundary/right/Traction=0.3*t*(1+y)",
+              "Boundary/right/Heat flux=1+t"});
   compare<2>("fixed point",
              {"Solver/Step solver=fixed point",
               "Time/Scheme=backward euler",

@@ -3,11 +3,11 @@
 // Factors of the matrices of a rod, no mesh: of random rods (random_rod.h).
 //
 // 1. Systems of one and of two fields as those of a stage, [M + t K, a D;
-//    -t^2 a D^T, M_u + t z S_z + t^2 S], against the solution that was chosen:
-//    residual in the full matrix to 1e-12 of its terms, and solutions vanish
-//    at node 0. One field of degree 1 is symmetric and definite without inner
-//    nodes: elimination takes less from a pivot than it has, so that nothing
-//    grows, 1.
+//    -t^2 a D^T, M_u + t z S_z + t^2 S], with all, some or none of the fields
+//    held at node 0: residual in the full matrix to 1e-12 of its terms, and
+//    held fields vanish there. One field of degree 1 is symmetric and definite
+//    without inner nodes: elimination takes less from a pivot than it has, so
+//    that nothing grows, 1.
 // 2. Blocks that grow, two cells of degree 1. By hand: cells
 //    [e - 1, 1; 1, 1] make rows [e 1; 1 1] of the two vertices, e = 1e-8: the
 //    first pivot takes 1/e = 1e8 times the second from it. A pivot of 0 has
@@ -44,10 +44,14 @@ namespace
                       const typename RodFactors<n_fields>::Blocks &blocks,
                       double                                      &error,
                       double                                      &growth,
-                      double &value_at_fixed_end)
+                      double            &value_at_fixed_end,
+                      const unsigned int pattern = (1U << n_fields) - 1)
   {
-    const unsigned int                      n = rod.layout().n_nodes();
-    const RodFactors<n_fields>              factors(rod, blocks);
+    const unsigned int                  n = rod.layout().n_nodes();
+    typename RodFactors<n_fields>::Held held;
+    for (unsigned int k = 0; k < n_fields; ++k)
+      held[k] = (pattern >> k) % 2 == 1;
+    const RodFactors<n_fields>              factors(rod, blocks, held);
     std::array<Values, n_fields>            b, x;
     typename RodFactors<n_fields>::Right    right;
     typename RodFactors<n_fields>::Solution solution;
@@ -59,12 +63,13 @@ namespace
         solution[k] = x[k].data();
       }
     factors.solve(right, solution);
-    if (n_fields == 1 && rod.layout().degree == 1)
+    if (n_fields == 1 && rod.layout().degree == 1 && held[0])
       raise(growth, factors.growth());
     for (unsigned int k = 0; k < n_fields; ++k)
       {
-        raise(value_at_fixed_end, std::abs(x[k][0]));
-        for (unsigned int i = 1; i < n; ++i)
+        if (held[k])
+          raise(value_at_fixed_end, std::abs(x[k][0]));
+        for (unsigned int i = held[k]; i < n; ++i)
           {
             double sum = 0., size = std::abs(b[k][i]);
             for (unsigned int l = 0; l < n_fields; ++l)
@@ -73,6 +78,9 @@ namespace
             raise(error, std::abs(b[k][i] - sum) / size / 1e-12);
           }
       }
+    if (pattern > 0) // the same with fewer fields held at node 0
+      add_error_of_system<n_fields>(
+        rod, full, blocks, error, growth, value_at_fixed_end, pattern - 1);
   }
 
 
@@ -127,7 +135,8 @@ namespace
                               const unsigned int j) {
                             return cell_matrix(i, j);
                           });
-    return RodFactors<1>(rod, {{{{{{1., RodMatrices::stiffness}}}}}}).growth();
+    return RodFactors<1>(rod, {{{{{{1., RodMatrices::stiffness}}}}}}, {{true}})
+      .growth();
   }
 
 
@@ -166,8 +175,10 @@ namespace
             {1., static_cast<RodMatrices::Matrix>(m)}};
         };
         deallog << "two fields: growth "
-                << RodFactors<2>(
-                     rod, {{{{block(0), block(1)}}, {{block(2), block(3)}}}})
+                << RodFactors<2>(rod,
+                                 {{{{block(0), block(1)}},
+                                   {{block(2), block(3)}}}},
+                                 {{true, true}})
                      .growth()
                 << std::endl;
       }

@@ -30,7 +30,7 @@ namespace
     names.variables = {"", "", "", "t"};
     names.has_units = has_units;
     names.units     = units;
-    return Expression("Sources/End traction", text, names);
+    return Expression("Boundary/right/Traction", text, names);
   }
 
 

@@ -135,7 +135,7 @@ main_allocations()
         {"Contact/Condition=rigid", "Time/Tolerance=1e-6", "Time/End time=3"});
   check("end traction",
         "",
-        {"Sources/End traction=0.1*t",
+        {"Boundary/right/Traction=0.1*t",
          "Time/Tolerance=1e-6",
          "Time/End time=3"});
   check("box",

@@ -149,18 +149,18 @@ main_automatic_scheme()
   choose("eps 0.24", soft + Overrides{"Contact/Compliance=0.24"});
   const Overrides free = {"Model/Viscosity=0", "Contact/Condition=none"};
   choose("free", free);
-  choose("pull from the start", free + Overrides{"Sources/End traction=1"});
-  choose("pull that grows", free + Overrides{"Sources/End traction=sin(t)"});
+  choose("pull from the start", free + Overrides{"Boundary/right/Traction=1"});
+  choose("pull that grows", free + Overrides{"Boundary/right/Traction=sin(t)"});
   choose("pull that jumps",
-         free + Overrides{"Sources/End traction=if(t<1,0,t)"});
+         free + Overrides{"Boundary/right/Traction=if(t<1,0,t)"});
   choose("initial strain in balance",
          free + Overrides{"Initial values/Displacement=0.5*x",
-                          "Sources/End traction=0.5"});
+                          "Boundary/right/Traction=0.5"});
   const Overrides driven = free + Overrides{"Initial values/Velocity=0"};
   choose("end with a velocity",
-         driven + Overrides{"Boundary/Fixed end displacement=0.01*t"});
+         driven + Overrides{"Boundary/left/Displacement=0.01*t"});
   choose("end that begins like t^2",
-         driven + Overrides{"Boundary/Fixed end displacement=0.01*t^2"});
+         driven + Overrides{"Boundary/left/Displacement=0.01*t^2"});
   choose("velocity that jumps",
          free + Overrides{"Initial values/Velocity=if(x>0.3,1,0)"});
   choose("velocity that bends",
@@ -168,8 +168,7 @@ main_automatic_scheme()
   choose("strain that jumps",
          free + Overrides{"Initial values/Displacement=if(x>0.3,0.3,x)"});
   choose("end that bends",
-         driven +
-           Overrides{"Boundary/Fixed end displacement=if(t<1,0,(t-1)/10)"});
+         driven + Overrides{"Boundary/left/Displacement=if(t<1,0,(t-1)/10)"});
 
   meet_moving_wall<1>("defaults", {"Time/End time=1.75"});
   for (const std::string cells : {"12", "48", "192"})

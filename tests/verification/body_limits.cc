@@ -108,7 +108,7 @@ namespace
   {
     const Overrides scene = {"Model/Inertia=2",
                              "Model/Coupling=0",
-                             "Boundary/Fixed end temperature=1",
+                             "Boundary/left/Temperature=1",
                              "Contact/Condition=" + obstacle,
                              "Contact/Gap=0.02",
                              "Contact/Massless nodes=on",
@@ -117,7 +117,7 @@ namespace
                              "Mesh/Degree=2",
                              "Time/Step size=0.03",
                              "Time/End time=3"};
-    const Overrides sides = {"Boundary/Lateral support=free",
+    const Overrides sides = {"Boundary/sides/Support=free",
                              "Mesh/Cells across=2"};
     Overrides       round = sides;
     round.push_back("Mesh/Geometry=axisymmetric");
@@ -159,7 +159,7 @@ namespace
     run<2>({"Model/Fields=displacement",
             "Model/Inertia=4",
             "Model/Viscosity=0",
-            "Boundary/Lateral support=free",
+            "Boundary/sides/Support=free",
             "Contact/Gap=0",
             "Mesh/Degree=2",
             "Time/Scheme=sdirk2",
@@ -215,7 +215,7 @@ namespace
     const double width      = 0.4;
     run<3>({"Model/Poisson ratio=0.3",
             "Model/Coupling=0.2",
-            "Boundary/Lateral support=free",
+            "Boundary/sides/Support=free",
             "Contact/Gap=0.01+0.05*((y-0.2)^2+(z-0.2)^2)",
             "Initial values/Velocity=x",
             "Mesh/Width=0.4",

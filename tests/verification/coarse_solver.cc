@@ -101,16 +101,16 @@ namespace
   graded_strip()
   {
     Parameters parameters;
-    parameters.dimension                = 2;
-    parameters.mesh.degree              = 2;
-    parameters.mesh.cells               = 41;
-    parameters.mesh.cells_across        = 9;
-    parameters.mesh.width               = 1.;
-    parameters.mesh.grading             = 8.;
-    parameters.boundary.lateral_support = "free";
-    parameters.contact.massless_nodes   = "off";
-    parameters.model.poisson_ratio      = 0.499; // with subspaces
-    parameters.solver.linear_solver     = "iterative";
+    parameters.dimension              = 2;
+    parameters.mesh.degree            = 2;
+    parameters.mesh.cells             = 41;
+    parameters.mesh.cells_across      = 9;
+    parameters.mesh.width             = 1.;
+    parameters.mesh.grading           = 8.;
+    parameters.boundary.sides.support = "free";
+    parameters.contact.massless_nodes = "off";
+    parameters.model.poisson_ratio    = 0.499; // with subspaces
+    parameters.solver.linear_solver   = "iterative";
     return parameters;
   }
 

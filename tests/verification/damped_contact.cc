@@ -123,7 +123,7 @@ namespace
     const Overrides driven =
       one_cell + Overrides{"Model/Inertia=0",
                            "Contact/Compliance=0.3",
-                           "Sources/End traction=2*sin(3*t)"};
+                           "Boundary/right/Traction=2*sin(3*t)"};
     const Overrides lands{"Output/Contact interval=0.1",
                           "Output/Land on output times=true"};
     if (name == "creep")

@@ -76,8 +76,8 @@ namespace
     unsigned int  n     = 0;
     for (const StepRecord &r :
          run<1>("",
-                heat + Overrides{"Boundary/Fixed end temperature=sin(5*t)",
-                                 "Boundary/Heat exchange=2",
+                heat + Overrides{"Boundary/left/Temperature=sin(5*t)",
+                                 "Boundary/right/Heat exchange=2",
                                  "Time/Tolerance=1e-9",
                                  "Time/End time=8"})
            .rows)
@@ -126,7 +126,7 @@ namespace
         const double       largest      = std::max(1., std::abs(end));
         std::ostringstream drive;
         drive.precision(17);
-        drive << "Boundary/Fixed end displacement=sin(" << w << "*t)";
+        drive << "Boundary/left/Displacement=sin(" << w << "*t)";
         for (const StepRecord &r :
              run<1>("",
                     motion +
@@ -156,16 +156,16 @@ namespace
     "Model/Viscosity=0.3",
     "Model/Coupling=0.5",
     "Contact/Condition=none",
-    "Boundary/Heat exchange=1",
-    "Boundary/Fixed end temperature=cos(2*t)",
-    "Boundary/Fixed end displacement=sin(3*t)",
+    "Boundary/right/Heat exchange=1",
+    "Boundary/left/Temperature=cos(2*t)",
+    "Boundary/left/Displacement=sin(3*t)",
     "Initial values/Temperature=1+x-x^2",
     "Initial values/Displacement=0",
     "Initial values/Velocity=3*(1+x^2/2)",
     "Sources/Heat source=-2*sin(2*t)*(1+x-x^2)+2*cos(2*t)+1.5*cos(3*t)*x",
     "Sources/Body force=-9*sin(3*t)*(1+x^2/2)-(sin(3*t)+0.9*cos(3*t))"
     "+0.5*cos(2*t)*(1-2*x)",
-    "Sources/End traction=sin(3*t)+0.9*cos(3*t)-0.5*cos(2*t)",
+    "Boundary/right/Traction=sin(3*t)+0.9*cos(3*t)-0.5*cos(2*t)",
     "Mesh/Cells=1",
     "Mesh/Degree=2",
     "Time/Start=consistent",
@@ -261,11 +261,10 @@ namespace
                          "Mesh/Cells=16",
                          "Mesh/Degree=4"};
     const Overrides insulated =
-      heat + fine + Overrides{"Boundary/Heat exchange=0"};
+      heat + fine + Overrides{"Boundary/right/Heat exchange=0"};
     const auto mean = [&](const std::string &drive) {
       return run<1>("",
-                    insulated +
-                      Overrides{"Boundary/Fixed end temperature=" + drive})
+                    insulated + Overrides{"Boundary/left/Temperature=" + drive})
         .rows.back()
         .temperature_mean;
     };
@@ -276,7 +275,7 @@ namespace
       run<1>("",
              motion + fine +
                Overrides{"Model/Viscosity=1",
-                         "Boundary/Fixed end displacement=if(t<0.5,0,t-0.5)"})
+                         "Boundary/left/Displacement=if(t<0.5,0,t-0.5)"})
         .rows.back()
         .displacement_end -
       end_of_pushed_rod(0.5);
@@ -302,7 +301,7 @@ namespace
                                         "Model/Inertia=0",
                             entry("Model/Viscosity", zeta),
                             "Time/Step size=0.01",
-                            "Boundary/Fixed end displacement=t^2+3*t",
+                            "Boundary/left/Displacement=t^2+3*t",
                             "Time/End time=0.5"})
              .rows)
         {
@@ -311,18 +310,17 @@ namespace
           if (zeta > 0.)
             raise(error, std::abs(r.velocity_end - 2. * t - 3.));
         }
-    Simulation<1> damped(
-      read_parameters("",
-                      {"Model/Fields=displacement",
-                       "Model/Inertia=0",
-                       "Model/Viscosity=0.3",
-                       "Initial values/Displacement=0",
-                       "Contact/Gap=1e3",
-                       "Contact/Damping=1",
-                       "Time/Step size=0.1",
-                       "Boundary/Fixed end displacement=t^2+3*t",
-                       "Time/End time=0.5"}),
-      MPI_COMM_SELF);
+    Simulation<1> damped(read_parameters("",
+                                         {"Model/Fields=displacement",
+                                          "Model/Inertia=0",
+                                          "Model/Viscosity=0.3",
+                                          "Initial values/Displacement=0",
+                                          "Contact/Gap=1e3",
+                                          "Contact/Damping=1",
+                                          "Time/Step size=0.1",
+                                          "Boundary/left/Displacement=t^2+3*t",
+                                          "Time/End time=0.5"}),
+                         MPI_COMM_SELF);
     damped.run({[&](const Simulation<1> &simulation) {
       const State &state = simulation.state();
       for (const double velocity : state.velocity)

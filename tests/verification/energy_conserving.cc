@@ -23,7 +23,6 @@
 //    h, +-0.25, for u.
 
 #include <thermocontact/simulation/simulation.h>
-#include <thermocontact/space/node_laws.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -41,7 +40,7 @@ using namespace ThermoContact;
 namespace
 {
   const Overrides energy_scene = {"Model/Coupling=0.5",
-                                  "Boundary/Fixed end temperature=1",
+                                  "Boundary/left/Temperature=1",
                                   "Initial values/Temperature=1+sin(3*pi*x)",
                                   "Initial values/Velocity=2*x",
                                   "Time/Scheme=energy conserving",
@@ -73,12 +72,11 @@ namespace
   double
   violation(const Simulation<dim> &simulation)
   {
-    const ContactLaw &law   = simulation.body().law();
-    const State      &state = simulation.state();
-    ContactValues     values;
-    get_contact_values(simulation.body(), state, values);
-    const std::vector<double> &penetration = values.front.penetration;
-    double                     worst = 0., largest = 1.;
+    const ContactLaw   &law   = simulation.body().law();
+    const State        &state = simulation.state();
+    std::vector<double> penetration;
+    simulation.body().contact_end().get_penetrations(state, 1, penetration);
+    double worst = 0., largest = 1.;
     for (const double p : state.contact_pressure)
       largest = std::max(largest, p);
     for (unsigned int i = 0; i < penetration.size(); ++i)
@@ -173,7 +171,7 @@ namespace
   test_balance_2d()
   {
     const Overrides scene = {"Dimension=2",
-                             "Boundary/Lateral support=free",
+                             "Boundary/sides/Support=free",
                              "Model/Poisson ratio=0.3",
                              "Model/Viscosity=0.01",
                              "Initial values/Velocity=(2+y)*x",
@@ -246,13 +244,13 @@ namespace
   {
     const Overrides           scene = {"Model/Viscosity=0",
                                        "Model/Coupling=0.5",
-                                       "Boundary/Fixed end temperature=0",
+                                       "Boundary/left/Temperature=0",
                                        "Contact/Gap=10",
                                        "Initial values/Temperature=0",
                                        "Initial values/Velocity=0",
                                        "Sources/Heat source=5*sin(3*t)*x",
                                        "Sources/Body force=t^3*cos(2*x)",
-                                       "Sources/End traction=sin(2*t)^3",
+                                       "Boundary/right/Traction=sin(2*t)^3",
                                        "Time/End time=2"};
     const std::vector<double> times = {1., 2.};
     for (const Overrides &mesh : {Overrides{"Mesh/Cells=20", "Mesh/Degree=1"},

@@ -72,16 +72,15 @@ namespace
         const double      tolerance = k == 0 ? 1e-4 : 1e-8;
         const RecordedRun run_of =
           run<1>("",
-                 viscous_rod +
-                   Overrides{"Contact/Condition=none",
-                             "Boundary/Fixed end displacement=sin(16*t)",
-                             "Initial values/Displacement=" +
-                               real_cosine(-i_unit * end, kappa),
-                             "Initial values/Velocity=" +
-                               real_cosine(w * end, kappa),
-                             "Mesh/Degree=6",
-                             entry("Time/Tolerance", tolerance),
-                             "Time/End time=2"});
+                 viscous_rod + Overrides{"Contact/Condition=none",
+                                         "Boundary/left/Displacement=sin(16*t)",
+                                         "Initial values/Displacement=" +
+                                           real_cosine(-i_unit * end, kappa),
+                                         "Initial values/Velocity=" +
+                                           real_cosine(w * end, kappa),
+                                         "Mesh/Degree=6",
+                                         entry("Time/Tolerance", tolerance),
+                                         "Time/End time=2"});
         n_steps[k] = run_of.rows.size() - 1.;
         for (const StepRecord &r : run_of.rows)
           raise(error,
@@ -123,20 +122,21 @@ namespace
     const double a = 0.3, k = 2., tolerance = 1e-6;
     double       error = 0.;
     for (const char *const b : {"1e2", "1e4", "1e6", "1e10"})
-      for (const StepRecord &r : run<1>("",
-                                        {std::string("Model/Inertia=") + b,
-                                         "Model/Viscosity=0.15",
-                                         entry("Model/Coupling", a),
-                                         "Boundary/Fixed end temperature=1",
-                                         entry("Boundary/Heat exchange", k),
-                                         "Contact/Condition=none",
-                                         "Initial values/Temperature=1",
-                                         "Initial values/Velocity=x",
-                                         "Mesh/Degree=8",
-                                         entry("Time/Tolerance", tolerance),
-                                         "Time/First step size=1e-3",
-                                         "Time/End time=1e-3"})
-                                   .rows)
+      for (const StepRecord &r :
+           run<1>("",
+                  {std::string("Model/Inertia=") + b,
+                   "Model/Viscosity=0.15",
+                   entry("Model/Coupling", a),
+                   "Boundary/left/Temperature=1",
+                   entry("Boundary/right/Heat exchange", k),
+                   "Contact/Condition=none",
+                   "Initial values/Temperature=1",
+                   "Initial values/Velocity=x",
+                   "Mesh/Degree=8",
+                   entry("Time/Tolerance", tolerance),
+                   "Time/First step size=1e-3",
+                   "Time/End time=1e-3"})
+             .rows)
         {
           const double s = k * std::sqrt(r.time);
           const double w = std::exp(s * s) * std::erfc(s);
@@ -167,14 +167,14 @@ namespace
             for (const char *const scheme : {"sdirk3", "sdirk4"})
               {
                 Simulation<1> simulation(
-                  read_parameters("",
-                                  {"Model/Fields=temperature",
-                                   std::string("Initial values/Temperature=") +
-                                     initial,
-                                   std::string("Boundary/Heat exchange=") + k,
-                                   std::string("Mesh/Degree=") + mesh,
-                                   std::string("Time/Tolerance=") + tolerance,
-                                   std::string("Time/Scheme=") + scheme}),
+                  read_parameters(
+                    "",
+                    {"Model/Fields=temperature",
+                     std::string("Initial values/Temperature=") + initial,
+                     std::string("Boundary/right/Heat exchange=") + k,
+                     std::string("Mesh/Degree=") + mesh,
+                     std::string("Time/Tolerance=") + tolerance,
+                     std::string("Time/Scheme=") + scheme}),
                   MPI_COMM_SELF);
                 simulation.step();
                 const auto &attempts = simulation.history().attempts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Boundary/Fixed end support = sliding. Between two ends that slide on rigid
+// Boundary/left/Support = sliding. Between two ends that slide on rigid
 // walls and free sides, a body without viscosity and heat swings in the waves
 // of infinite waveguides, sin(kx) along the axis with k = n pi. Their
 // frequencies omega with b = 1 and nu = 0.3, from the roots of
@@ -147,9 +147,8 @@ namespace
                                           "Model/Fields=displacement",
                                           "Model/Viscosity=0",
                                           "Model/Poisson ratio=0.3",
-                                          "Boundary/Lateral support=free",
-                                          "Boundary/Fixed end support=" +
-                                            support,
+                                          "Boundary/sides/Support=free",
+                                          "Boundary/left/Support=" + support,
                                           "Contact/Massless nodes=off",
                                           "Mesh/Cells=12",
                                           "Mesh/Degree=4"};

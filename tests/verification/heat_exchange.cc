@@ -93,9 +93,10 @@ namespace
   check_imperfect_contact()
   {
     const double    theta = 10. * (1. - 2. * (1. - 0.12 / 0.17));
-    const Overrides scene{"Boundary/Heat exchange=if(pressure > 0, 10, 0.1)",
-                          "Contact/Gap=0.12",
-                          "Time/End time=40"};
+    const Overrides scene{
+      "Boundary/right/Heat exchange=if(pressure > 0, 10, 0.1)",
+      "Contact/Gap=0.12",
+      "Time/End time=40"};
     for (const Overrides &inertia :
          {Overrides{"Model/Inertia=0", "Model/Viscosity=0"},
           Overrides{"Time/Scheme=backward euler", "Time/Step size=0.02"}})
@@ -115,16 +116,17 @@ namespace
 
 
   /** A rod that is thrown at a warm obstacle, and its exchange. */
-  const Overrides thrown{"Model/Coupling=0.3",
-                         "Boundary/Fixed end temperature=1",
-                         "Boundary/Obstacle temperature=0.5",
-                         "Boundary/Heat exchange=0.05/(0.05+gap)+20*pressure",
-                         "Contact/Gap=0.05",
-                         "Contact/Compliance=0.1",
-                         "Initial values/Temperature=theta_A*(1-x^2)",
-                         "Initial values/Velocity=x",
-                         "Time/Step size=0.01",
-                         "Time/End time=2"};
+  const Overrides thrown{
+    "Model/Coupling=0.3",
+    "Boundary/left/Temperature=1",
+    "Boundary/right/Surroundings=0.5",
+    "Boundary/right/Heat exchange=0.05/(0.05+gap)+20*pressure",
+    "Contact/Gap=0.05",
+    "Contact/Compliance=0.1",
+    "Initial values/Temperature=theta_A*(1-x^2)",
+    "Initial values/Velocity=x",
+    "Time/Step size=0.01",
+    "Time/End time=2"};
 
 
 
@@ -177,8 +179,8 @@ namespace
                               "Time/End time=0.5",
                               "Time/Step size=" + std::to_string(0.5 / n_steps),
                               "Model/Coupling=0.3",
-                              "Boundary/Fixed end temperature=1",
-                              "Boundary/Heat exchange=0.5/(0.5+gap)",
+                              "Boundary/left/Temperature=1",
+                              "Boundary/right/Heat exchange=0.5/(0.5+gap)",
                               "Contact/Gap=2",
                               "Initial values/Temperature=theta_A*(1+x*(2-x))",
                               "Initial values/Velocity=0",
@@ -225,7 +227,7 @@ namespace
                              std::string(dim == 1 ? "0" : "0.3"),
                            "Contact/Condition=rigid",
                            "Contact/Gap=-0.01*" + std::to_string(i) + "/3",
-                           "Boundary/Heat exchange=if(gap>0,0,3)",
+                           "Boundary/right/Heat exchange=if(gap>0,0,3)",
                            "Initial values/Temperature=5",
                            "Mesh/Cells=4",
                            "Time/End time=0.01"}),

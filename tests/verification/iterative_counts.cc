@@ -62,7 +62,7 @@ namespace
                          "Mesh/Cells=" + n,
                          "Mesh/Cells across=" + n,
                          "Model/Poisson ratio=0.3",
-                         "Boundary/Lateral support=free",
+                         "Boundary/sides/Support=free",
                          "Contact/Condition=none",
                          "Time/Scheme=backward euler",
                          "Time/Start=consistent",
@@ -111,10 +111,10 @@ namespace
               << iterations<2>(degree, 16, 1e-12, massless) << std::endl;
     // a cold body between rollers is pulled at these nodes alone: what the
     // others have is rounding
-    const Overrides cold{"Boundary/Lateral support=rollers",
+    const Overrides cold{"Boundary/sides/Support=rollers",
                          "Initial values/Velocity=0",
                          "Initial values/Temperature=-8",
-                         "Boundary/Fixed end temperature=-8"};
+                         "Boundary/left/Temperature=-8"};
     deallog << "force at massless nodes alone: "
             << iterations<2>(2, 4, 0.03, massless + cold) << std::endl
             << "as at rest: "
@@ -122,8 +122,8 @@ namespace
                              4,
                              0.1,
                              {"Model/Coupling=0",
-                              "Boundary/Lateral support=rollers",
-                              "Sources/End traction=1",
+                              "Boundary/sides/Support=rollers",
+                              "Boundary/right/Traction=1",
                               "Initial values/Velocity=0",
                               "Initial values/Displacement=x+1e-9*sin(x)",
                               "Initial values/Temperature=10-5*x+1e-9*sin(x)"})
@@ -135,21 +135,20 @@ namespace
   void
   count_what_is_made(const std::string &condition)
   {
-    const RecordedRun run =
-      run_iterative<2>({"Dimension=2",
-                        "Mesh/Width=0.25",
-                        "Mesh/Cells=8",
-                        "Mesh/Cells across=2",
-                        "Mesh/Degree=1",
-                        "Contact/Condition=" + condition,
-                        "Contact/Gap=0.02",
-                        "Initial values/Velocity=x",
-                        "Boundary/Fixed end temperature=0",
-                        "Initial values/Temperature=0*x",
-                        "Time/Scheme=sdirk2",
-                        "Time/Step size=0.02",
-                        "Time/End time=6"});
-    unsigned int n_begins = 0;
+    const RecordedRun run      = run_iterative<2>({"Dimension=2",
+                                                   "Mesh/Width=0.25",
+                                                   "Mesh/Cells=8",
+                                                   "Mesh/Cells across=2",
+                                                   "Mesh/Degree=1",
+                                                   "Contact/Condition=" + condition,
+                                                   "Contact/Gap=0.02",
+                                                   "Initial values/Velocity=x",
+                                                   "Boundary/left/Temperature=0",
+                                                   "Initial values/Temperature=0*x",
+                                                   "Time/Scheme=sdirk2",
+                                                   "Time/Step size=0.02",
+                                                   "Time/End time=6"});
+    unsigned int      n_begins = 0;
     for (unsigned int i = 1; i < run.rows.size(); ++i)
       n_begins += run.rows[i].in_contact && !run.rows[i - 1].in_contact;
     deallog << condition << ": contact more than once " << (n_begins > 1)
@@ -161,20 +160,19 @@ namespace
   void
   count_steps_without_stress()
   {
-    const auto count =
-      run_iterative<2>({"Dimension=2",
-                        "Model/Fields=displacement",
-                        "Model/Inertia=0",
-                        "Model/Viscosity=0",
-                        "Boundary/Fixed end displacement=t/100",
-                        "Boundary/Lateral support=free",
-                        "Contact/Condition=none",
-                        "Mesh/Width=1",
-                        "Mesh/Cells=8",
-                        "Mesh/Cells across=8",
-                        "Time/End time=1"})
-        .rows.size() -
-      1;
+    const auto count = run_iterative<2>({"Dimension=2",
+                                         "Model/Fields=displacement",
+                                         "Model/Inertia=0",
+                                         "Model/Viscosity=0",
+                                         "Boundary/left/Displacement=t/100",
+                                         "Boundary/sides/Support=free",
+                                         "Contact/Condition=none",
+                                         "Mesh/Width=1",
+                                         "Mesh/Cells=8",
+                                         "Mesh/Cells across=8",
+                                         "Time/End time=1"})
+                         .rows.size() -
+                       1;
     deallog << "carried along: steps " << count << std::endl;
   }
 
@@ -192,14 +190,14 @@ namespace
                          dim == 2 ? "Mesh/Cells across=16" :
                                       "Mesh/Cells across=4",
                          "Model/Poisson ratio=0.3",
-                         "Boundary/Lateral support=free",
+                         "Boundary/sides/Support=free",
                          "Time/Scheme=backward euler",
                          "Time/Start=consistent",
                          "Time/Step size=0.01",
                          "Time/End time=0.12",
                          "Initial values/Temperature=0*x",
                          "Initial values/Velocity=x*(0.5+y)",
-                         "Boundary/Fixed end temperature=0"};
+                         "Boundary/left/Temperature=0"};
     const RecordedRun run = run_iterative<dim>(
       body + Overrides{"Contact/Gap=0.05", "Contact/" + obstacle});
     const auto free =

@@ -39,9 +39,9 @@ namespace
     const auto rows =
       run<dim>(read_parameters("",
                                Overrides{"Model/Fields=temperature",
-                                         "Boundary/Fixed end temperature=0",
-                                         "Boundary/Heat exchange=0",
-                                         "Boundary/Lateral heat exchange=" +
+                                         "Boundary/left/Temperature=0",
+                                         "Boundary/right/Heat exchange=0",
+                                         "Boundary/sides/Heat exchange=" +
                                            std::to_string(m),
                                          "Initial values/Temperature=sin(pi*x/"
                                          "2)",

@@ -112,8 +112,8 @@ namespace
     const auto with = [](const std::string &m) {
       return read_parameters("",
                              thrown +
-                               Overrides{"Boundary/Lateral heat exchange=" + m,
-                                         "Boundary/Ambient temperature=" +
+                               Overrides{"Boundary/sides/Heat exchange=" + m,
+                                         "Boundary/sides/Surroundings=" +
                                            std::string(m == "0" ? "0" : "-2")});
     };
     const auto rest = [&](const std::string &m) {
@@ -139,8 +139,8 @@ namespace
   check_switch()
   {
     const std::string file = "examples/thermal-switch.prm";
-    const Overrides   loss{"Boundary/Lateral heat exchange=0.05",
-                         "Boundary/Ambient temperature=1"};
+    const Overrides   loss{"Boundary/sides/Heat exchange=0.05",
+                         "Boundary/sides/Surroundings=1"};
     const auto        fin = [](const double c) {
       return Fin(0.05, 0., c / (1. - c), 10., 1.);
     };

@@ -115,7 +115,7 @@ namespace
         run<2>(
           strip(solver) + creep +
             Overrides{"Mesh/Cells=4",
-                      "Sources/End traction=if(t<=0.5,0.8,if(t<=1,0.5,0.8))",
+                      "Boundary/right/Traction=if(t<=0.5,0.8,if(t<=1,0.5,0.8))",
                       "Time/End time=1.5"},
           [&](const Simulation<2> &s) {
             const StepRecord &r = s.record();
@@ -155,7 +155,7 @@ namespace
                        "Model/Coupling=0.1",
                        "Contact/Condition=rigid",
                        "Contact/Gap=0.05",
-                       "Boundary/Obstacle temperature=5*(sin(3*pi*t)>0)",
+                       "Boundary/right/Surroundings=5*(sin(3*pi*t)>0)",
                        "Mesh/Cells=8",
                        "Time/End time=1.2"},
            [&](const Simulation<2> &s) {
@@ -181,15 +181,15 @@ namespace
   {
     const Overrides mechanical{"Model/Fields=displacement"};
     const Overrides heated{"Model/Coupling=0.8",
-                           "Boundary/Fixed end temperature=0",
-                           "Boundary/Heat exchange=0",
+                           "Boundary/left/Temperature=0",
+                           "Boundary/right/Heat exchange=0",
                            "Initial values/Temperature=0"};
     const Overrides scene{"Model/Viscosity=0",
                           "Contact/Compliance=0.01",
                           "Contact/Gap=0.01",
                           "Initial values/Displacement=0",
                           "Initial values/Velocity=0.1*x*(1+y)",
-                          "Boundary/Lateral support=free",
+                          "Boundary/sides/Support=free",
                           "Mesh/Cells=8",
                           "Mesh/Degree=2",
                           "Time/Step size=0.01"};
@@ -200,7 +200,7 @@ namespace
             scene + (has_heat ? heated : mechanical) +
             Overrides{"Time/Break points=" + time,
                       "Time/End time=" + time,
-                      "Sources/End traction=if(t<=" + time + ",0," +
+                      "Boundary/right/Traction=if(t<=" + time + ",0," +
                         (time == "0.05" ? "" : "-") + "0.3*(1-y))"};
           const auto simulate = [&](const std::string &solver) {
             auto simulation = std::make_unique<Simulation<2>>(
@@ -257,8 +257,8 @@ namespace
         run<1>(equilibrium +
                  Overrides{"Contact/Condition=none",
                            are_two ?
-                             "Sources/End traction=0.1*(t>=1)" :
-                             "Sources/End traction=0.1*(t>=1)+0.2*(t>1)",
+                             "Boundary/right/Traction=0.1*(t>=1)" :
+                             "Boundary/right/Traction=0.1*(t>=1)+0.2*(t>1)",
                            are_two ? "Sources/Body force=0.2*(t>1)" :
                                      "Sources/Body force=0",
                            "Time/End time=2"},
@@ -287,7 +287,7 @@ namespace
     bool   ends_here = false;
     run<1>(equilibrium + Overrides{"Contact/Compliance=0.1",
                                    "Contact/Gap=0.1",
-                                   "Sources/End traction=0.5*t",
+                                   "Boundary/right/Traction=0.5*t",
                                    "Time/Step size=0.1",
                                    "Time/Break points=0.3;0.73",
                                    "Time/End time=1"},
@@ -312,8 +312,8 @@ namespace
             "Mesh/Cells=1",
             "Mesh/Degree=1",
             "Initial values/Temperature=0",
-            "Boundary/Heat exchange=0",
-            "Boundary/Fixed end temperature=if(t<0.1,0,1)",
+            "Boundary/right/Heat exchange=0",
+            "Boundary/left/Temperature=if(t<0.1,0,1)",
             "Time/Break points=0.10000001",
             "Time/End time=0.2"},
            [&](const Simulation<1> &s) {
@@ -352,8 +352,8 @@ namespace
                   "Initial values/Temperature=0",
                   is_viscous ? "Initial values/Displacement=0" :
                                "Model/Inertia=0",
-                  at_start ? "Boundary/Fixed end temperature=10" :
-                             "Boundary/Fixed end temperature=if(t<0.1,0,10)",
+                  at_start ? "Boundary/left/Temperature=10" :
+                             "Boundary/left/Temperature=if(t<0.1,0,10)",
                   at_start ? "Time/End time=0.01" : "Time/End time=0.11"},
                  [&](const Simulation<1> &s) {
                    const StepRecord &r = s.record();
@@ -385,7 +385,7 @@ namespace
     bool         is_right = true;
     unsigned int n_none   = 0;
     run<1>(equilibrium + Overrides{"Contact/Condition=none",
-                                   "Sources/End traction=t+if(t<=0.5,0,0.2)",
+                                   "Boundary/right/Traction=t+if(t<=0.5,0,0.2)",
                                    "Time/End time=1"},
            [&](const Simulation<1> &s) {
              const StepRecord &r       = s.record();
@@ -405,7 +405,7 @@ namespace
     Simulation<1> simulation(
       read_parameters(
         "",
-        creep + Overrides{"Sources/End traction=0.5+0.3*(sin(4*pi*t)<0)",
+        creep + Overrides{"Boundary/right/Traction=0.5+0.3*(sin(4*pi*t)<0)",
                           "Time/Step size=0.125",
                           "Time/Break points=0.25;0.5;0.75;1;1.25",
                           "Time/End time=1.5"}),
@@ -426,7 +426,7 @@ namespace
     run<3>({"Dimension=3",
             "Model/Fields=displacement",
             "Model/Viscosity=0",
-            "Boundary/Lateral support=free",
+            "Boundary/sides/Support=free",
             "Contact/Compliance=0.01",
             "Contact/Gap=0.01",
             "Initial values/Displacement=0",

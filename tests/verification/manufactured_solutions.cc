@@ -155,8 +155,8 @@ namespace
       {"a", text(parameters.model.coupling)},
       {"lambda", text(nu / (1. - nu))},
       {"mu", text(0.5 * (1. - 2. * nu) / (1. - nu))},
-      {"k", text(parameters.boundary.heat_exchange)},
-      {"theta_obs", text(parameters.boundary.obstacle_temperature)},
+      {"k", text(parameters.boundary.right.heat_exchange)},
+      {"theta_obs", text(parameters.boundary.right.surroundings)},
       {"eps", text(parameters.contact.law.at("Compliance"))},
       {"g", text(parameters.contact.gap)},
       {"kappa", text(wave_number<dim>)},
@@ -218,10 +218,10 @@ namespace
              expression("(b*beta_tt*r*psi-" + delta +
                         "*((mu*r-(lambda+mu)*kappa)*psi_x-r*kappa^2*psi)"
                         "-a*alpha*kappa*phi)*sin_y"));
-    parameters.sources.end_traction =
+    parameters.boundary.right.traction =
       expression(delta + "*(psi_x+lambda*r*kappa*psi)*cos_y-a*" + theta +
                  "+max(beta*psi*cos_y-g,0)/eps");
-    parameters.sources.end_heat_flux =
+    parameters.boundary.right.heat_flux =
       expression("alpha*phi_x*cos_y+k*(" + theta + "-theta_obs)");
   }
 
@@ -253,7 +253,7 @@ namespace
     auto                       solution = discretization.make_system_vector();
     discretization.join(state.temperature, state.displacement, solution);
     const ExactSolution<dim> exact(amplitudes,
-                                   parameters.boundary.fixed_end_temperature,
+                                   parameters.boundary.left.temperature,
                                    state.time);
 
     const auto error = [&](const VectorTools::NormType norm,
@@ -295,25 +295,25 @@ namespace
         const double      end_time,
         const Resolution &resolution)
   {
-    Parameters parameters                     = read_parameters("");
-    parameters.dimension                      = dim;
-    parameters.model.inertia                  = 2.;
-    parameters.model.viscosity                = 0.5;
-    parameters.model.coupling                 = 0.25;
-    parameters.model.poisson_ratio            = 0.3;
-    parameters.boundary.fixed_end_temperature = 3.;
-    parameters.boundary.heat_exchange         = 2.;
-    parameters.boundary.obstacle_temperature  = 1.;
-    parameters.contact.law.at("Compliance")   = 0.05;
-    parameters.contact.gap                    = gap;
-    parameters.mesh.cells                     = resolution.cells;
-    parameters.mesh.cells_across              = resolution.cells;
-    parameters.mesh.width                     = 1.;
-    parameters.mesh.degree                    = resolution.degree;
-    parameters.time.scheme                    = "backward euler";
-    parameters.time.start                     = "consistent";
-    parameters.time.end_time                  = end_time;
-    parameters.time.step_size                 = end_time / resolution.n_steps;
+    Parameters parameters                   = read_parameters("");
+    parameters.dimension                    = dim;
+    parameters.model.inertia                = 2.;
+    parameters.model.viscosity              = 0.5;
+    parameters.model.coupling               = 0.25;
+    parameters.model.poisson_ratio          = 0.3;
+    parameters.boundary.left.temperature    = 3.;
+    parameters.boundary.right.heat_exchange = 2.;
+    parameters.boundary.right.surroundings  = 1.;
+    parameters.contact.law.at("Compliance") = 0.05;
+    parameters.contact.gap                  = gap;
+    parameters.mesh.cells                   = resolution.cells;
+    parameters.mesh.cells_across            = resolution.cells;
+    parameters.mesh.width                   = 1.;
+    parameters.mesh.degree                  = resolution.degree;
+    parameters.time.scheme                  = "backward euler";
+    parameters.time.start                   = "consistent";
+    parameters.time.end_time                = end_time;
+    parameters.time.step_size               = end_time / resolution.n_steps;
     set_data<dim>(amplitudes, parameters);
     check_scene(parameters);
 

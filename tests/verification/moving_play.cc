@@ -49,7 +49,7 @@ namespace
                          "Contact/Condition=rigid",
               "Contact/Gap=0.1+0.05*sin(2*t)",
               "Contact/Rear gap=0.15",
-              "Boundary/Fixed end displacement=0.3*sin(t)",
+              "Boundary/left/Displacement=0.3*sin(t)",
               "Initial values/Displacement=0",
               "Time/Tolerance=1e-7",
               "Time/End time=6"});

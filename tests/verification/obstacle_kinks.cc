@@ -116,7 +116,7 @@ namespace
                                          "Model/Inertia=0",
                                          "Model/Viscosity=0.2",
                                          "Mesh/Cells=2",
-                                         "Sources/End traction=0.5",
+                                         "Boundary/right/Traction=0.5",
                                          "Contact/Condition=rigid",
                                          "Contact/Gap=0.3",
                                          "Time/Tolerance=1e-6",
@@ -144,7 +144,7 @@ namespace
                                       {"Time/Tolerance=1e-7",
                                        "Contact/Gap=0.04",
                                        "Initial values/Temperature=0",
-                                       "Boundary/Obstacle temperature=40",
+                                       "Boundary/right/Surroundings=40",
                                        "Model/Inertia=0.01",
                                        "Contact/Massless nodes=on",
                                        "Time/End time=1"});

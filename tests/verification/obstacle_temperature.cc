@@ -35,8 +35,8 @@ using namespace ThermoContact;
 namespace
 {
   const Overrides heat{"Model/Fields=temperature",
-                       "Boundary/Fixed end temperature=0",
-                       "Boundary/Heat exchange=2",
+                       "Boundary/left/Temperature=0",
+                       "Boundary/right/Heat exchange=2",
                        "Initial values/Temperature=0"};
 
   const Overrides euler{"Time/Scheme=backward euler", "Time/Step size=0.01"};
@@ -53,7 +53,7 @@ namespace
     unsigned int               n     = 0;
     for (const StepRecord &r :
          run<1>("",
-                heat + Overrides{"Boundary/Obstacle temperature=sin(5*t)",
+                heat + Overrides{"Boundary/right/Surroundings=sin(5*t)",
                                  "Time/Tolerance=1e-9",
                                  "Time/End time=8"})
            .rows)
@@ -78,13 +78,13 @@ namespace
     const Overrides  scene = heat + euler + Overrides{"Time/End time=1"};
     const StepRecord varying =
       run<1>("",
-             scene + Overrides{"Boundary/Obstacle temperature="
+             scene + Overrides{"Boundary/right/Surroundings="
                                "if(t<0.495,1,3)"})
         .rows.back();
     const StepRecord flux =
       run<1>("",
-             scene + Overrides{"Boundary/Obstacle temperature=1",
-                               "Sources/End heat flux="
+             scene + Overrides{"Boundary/right/Surroundings=1",
+                               "Boundary/right/Heat flux="
                                "if(t<0.495,0,4)"})
         .rows.back();
     double error = 0.;
@@ -107,13 +107,13 @@ namespace
       heat + euler +
       Overrides{"Time/End time=1", "Mesh/Cells=4", "Mesh/Degree=2"};
     const StepRecord rod =
-      run<1>("", scene + Overrides{"Boundary/Obstacle temperature=t"})
+      run<1>("", scene + Overrides{"Boundary/right/Surroundings=t"})
         .rows.back();
     const StepRecord strip =
       run<2>("",
              scene + Overrides{"Dimension=2",
                                "Mesh/Cells across=2",
-                               "Boundary/Obstacle temperature=20*y*t"})
+                               "Boundary/right/Surroundings=20*y*t"})
         .rows.back();
     deallog << "strip: means of the rod "
             << within(std::abs(strip.temperature_end - rod.temperature_end),

@@ -134,8 +134,8 @@ namespace
     simulation.run();
 
     const double a       = parameters.model.coupling;
-    const double theta_A = parameters.boundary.fixed_end_temperature;
-    const double k       = parameters.boundary.heat_exchange;
+    const double theta_A = parameters.boundary.left.temperature;
+    const double k       = parameters.boundary.right.heat_exchange;
     const double g       = parameters.contact.gap;
     const double eps     = parameters.contact.condition == "rigid" ?
                              0. :
@@ -205,16 +205,16 @@ namespace
                                           "Time/Step size=0.01",
                                           "Time/End time=3",
                                           "Mesh/Degree=2",
-                                          "Boundary/Obstacle temperature=3",
+                                          "Boundary/right/Surroundings=3",
                                           "Contact/Condition=" + condition,
                                           "Sources/Heat source=x*cos(t)",
                                           "Sources/Body force=sin(3*t)*(1+x)",
-                                          "Sources/End traction=0.1*t",
-                                          "Sources/End heat flux=1+t"};
+                                          "Boundary/right/Traction=0.1*t",
+                                          "Boundary/right/Heat flux=1+t"};
     if (dim > 1)
       overrides.insert(overrides.end(),
                        {"Model/Poisson ratio=0.3",
-                        "Boundary/Lateral support=free",
+                        "Boundary/sides/Support=free",
                         "Mesh/Cells across=2"});
     check_audit<dim>(std::to_string(dim) + "-D, sources, " + condition,
                      read_parameters("", overrides));

@@ -72,19 +72,20 @@ namespace
       const std::string               end_time,
       const std::vector<std::string> &others = {})
   {
-    std::vector<std::string> overrides = {"Dimension=2",
-                                          "Model/Poisson ratio=0.3",
-                                          "Model/Coupling=0.05",
-                                          "Boundary/Lateral support=free",
-                                          "Contact/Condition=rigid",
-                                          "Contact/Gap=0.02",
-                                          "Initial values/Temperature=10",
-                                          "Sources/End traction=0.2*(y-0.2)*t",
-                                          "Mesh/Width=0.4",
-                                          "Mesh/Cells=4",
-                                          "Mesh/Cells across=6",
-                                          "Time/Tolerance=" + tolerance,
-                                          "Time/End time=" + end_time};
+    std::vector<std::string> overrides = {
+      "Dimension=2",
+      "Model/Poisson ratio=0.3",
+      "Model/Coupling=0.05",
+      "Boundary/sides/Support=free",
+      "Contact/Condition=rigid",
+      "Contact/Gap=0.02",
+      "Initial values/Temperature=10",
+      "Boundary/right/Traction=0.2*(y-0.2)*t",
+      "Mesh/Width=0.4",
+      "Mesh/Cells=4",
+      "Mesh/Cells across=6",
+      "Time/Tolerance=" + tolerance,
+      "Time/End time=" + end_time};
     overrides.push_back(has_inertia ? "Initial values/Velocity=0" :
                                       "Model/Inertia=0");
     for (const std::string &other : others)
@@ -118,7 +119,7 @@ namespace
       read_parameters("",
                       {"Dimension=2",
                        "Model/Inertia=0",
-                       "Boundary/Lateral support=free",
+                       "Boundary/sides/Support=free",
                        "Contact/Condition=rigid",
                        "Contact/Gap=0.02+0.1*(y-0.1)^2",
                        "Initial values/Temperature=10*(1-x)",

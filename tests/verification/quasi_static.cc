@@ -163,17 +163,16 @@ namespace
   check_cold_rod()
   {
     const auto temperature = [](const std::string &tolerance) {
-      Simulation<1> simulation(
-        read_parameters("",
-                        {"Model/Inertia=0",
-                         "Model/Viscosity=0",
-                         "Contact/Condition=none",
-                         "Boundary/Fixed end temperature=0",
-                         "Initial values/Temperature=0",
-                         "Sources/Body force=cos(3*t)",
-                         "Time/End time=1",
-                         "Time/Tolerance=" + tolerance}),
-        MPI_COMM_SELF);
+      Simulation<1> simulation(read_parameters("",
+                                               {"Model/Inertia=0",
+                                                "Model/Viscosity=0",
+                                                "Contact/Condition=none",
+                                                "Boundary/left/Temperature=0",
+                                                "Initial values/Temperature=0",
+                                                "Sources/Body force=cos(3*t)",
+                                                "Time/End time=1",
+                                                "Time/Tolerance=" + tolerance}),
+                               MPI_COMM_SELF);
       simulation.run();
       return simulation.record().temperature_mean /
              simulation.parameters().model.coupling;

@@ -136,27 +136,27 @@ namespace
   std::array<double, 4>
   errors(const unsigned int degree, const unsigned int cells)
   {
-    Parameters parameters                     = read_parameters("");
-    parameters.dimension                      = 2;
-    parameters.model.inertia                  = 2.;
-    parameters.model.viscosity                = 0.5;
-    parameters.model.coupling                 = 0.25;
-    parameters.model.poisson_ratio            = 0.3;
-    parameters.boundary.fixed_end_temperature = 3.;
-    parameters.boundary.heat_exchange         = 2.;
-    parameters.boundary.obstacle_temperature  = 1.;
-    parameters.contact.law.at("Compliance")   = 0.05;
-    parameters.contact.gap                    = -0.1;
-    parameters.mesh.geometry                  = "axisymmetric";
-    parameters.mesh.cells                     = 2 * cells;
-    parameters.mesh.cells_across              = cells;
-    parameters.mesh.width                     = radius;
-    parameters.mesh.degree                    = degree;
-    parameters.time.scheme                    = "backward euler";
-    parameters.time.start                     = "consistent";
-    parameters.time.end_time                  = 0.5;
-    parameters.time.step_size                 = 0.1;
-    parameters.initial_values.temperature     = initial("theta");
+    Parameters parameters                   = read_parameters("");
+    parameters.dimension                    = 2;
+    parameters.model.inertia                = 2.;
+    parameters.model.viscosity              = 0.5;
+    parameters.model.coupling               = 0.25;
+    parameters.model.poisson_ratio          = 0.3;
+    parameters.boundary.left.temperature    = 3.;
+    parameters.boundary.right.heat_exchange = 2.;
+    parameters.boundary.right.surroundings  = 1.;
+    parameters.contact.law.at("Compliance") = 0.05;
+    parameters.contact.gap                  = -0.1;
+    parameters.mesh.geometry                = "axisymmetric";
+    parameters.mesh.cells                   = 2 * cells;
+    parameters.mesh.cells_across            = cells;
+    parameters.mesh.width                   = radius;
+    parameters.mesh.degree                  = degree;
+    parameters.time.scheme                  = "backward euler";
+    parameters.time.start                   = "consistent";
+    parameters.time.end_time                = 0.5;
+    parameters.time.step_size               = 0.1;
+    parameters.initial_values.temperature   = initial("theta");
     parameters.initial_values.displacement =
       initial("beta*X_x*g") + ";" + initial("beta*X*g_r");
     parameters.initial_values.velocity =
@@ -165,9 +165,9 @@ namespace
       expand("S*(1+g)-alpha*(S_xx*(1+g)+S*h)+a*D");
     parameters.sources.body_force = expand("-delta*D_x+a*alpha*S_x*(1+g)") +
                                     ";" + expand("-delta*D_r+a*alpha*S*g_r");
-    parameters.sources.end_traction =
+    parameters.boundary.right.traction =
       expand("delta*(lambda*D+2*mu*X_xx*g)-a*theta+0.1/0.05");
-    parameters.sources.end_heat_flux = expand("2*(theta-1)");
+    parameters.boundary.right.heat_flux = expand("2*(theta-1)");
     check_scene(parameters);
 
     Simulation<2> simulation(parameters, MPI_COMM_SELF);

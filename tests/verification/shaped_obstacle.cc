@@ -138,7 +138,7 @@ namespace
   {
     const Contact line      = press("hertz-sphere",
                                {"Mesh/Geometry=plane strain",
-                                     "Boundary/Lateral support=rollers",
+                                     "Boundary/sides/Support=rollers",
                                      "Contact/Gap=-0.01+y^2"});
     const double  R         = 0.5,
                  half_width = std::sqrt(8. * line.mean * R / (pi * modulus));

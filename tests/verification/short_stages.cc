@@ -61,7 +61,7 @@ namespace
         {
           Overrides all{"Dimension=" + std::to_string(dim),
                         "Model/Viscosity=0",
-                        "Boundary/Fixed end temperature=1",
+                        "Boundary/left/Temperature=1",
                         "Time/Scheme=" + scheme,
                         "Time/Start=consistent",
                         "Time/Step size=" + step,
@@ -115,7 +115,7 @@ main_short_stages()
   const Overrides block{"Model/Inertia=0",
                         "Model/Coupling=0.5",
                         "Model/Poisson ratio=0.48",
-                        "Boundary/Lateral support=free",
+                        "Boundary/sides/Support=free",
                         "Mesh/Width=0.4",
                         "Mesh/Cells=5",
                         "Mesh/Cells across=2",
@@ -125,8 +125,8 @@ main_short_stages()
                         "Contact/Compliance=0.01",
                         "Contact/Gap=0"};
   Overrides       cooled(block), cooled_by_pressure(block);
-  cooled.push_back("Boundary/Heat exchange=1");
-  cooled_by_pressure.push_back("Boundary/Heat exchange=1+0*pressure");
+  cooled.push_back("Boundary/right/Heat exchange=1");
+  cooled_by_pressure.push_back("Boundary/right/Heat exchange=1+0*pressure");
   check<3>("at rest", cooled, 0.);
   check<3>(
     "at rest, k by expression", cooled_by_pressure, 0., "1e-9", {"direct"});
@@ -134,7 +134,7 @@ main_short_stages()
     check<2>("loaded, steps of " + step,
              {"Model/Inertia=0",
               "Model/Coupling=0",
-              "Boundary/Heat exchange=0",
+              "Boundary/right/Heat exchange=0",
               "Initial values/Temperature=theta_A",
               "Model/Poisson ratio=0.45",
               "Mesh/Width=0.25",
@@ -149,7 +149,7 @@ main_short_stages()
   check<2>("thrown",
            {"Model/Poisson ratio=0.3",
             "Model/Coupling=0",
-            "Boundary/Heat exchange=0",
+            "Boundary/right/Heat exchange=0",
             "Initial values/Temperature=theta_A",
             "Mesh/Width=0.25",
             "Mesh/Cells=8",

@@ -71,8 +71,8 @@ namespace
   {
     const Parameters parameters =
       read_parameters("verification/" + name + ".prm");
-    const double theta_A = parameters.boundary.fixed_end_temperature;
-    const double k       = parameters.boundary.heat_exchange;
+    const double theta_A = parameters.boundary.left.temperature;
+    const double k       = parameters.boundary.right.heat_exchange;
     const double c       = k / (k + 1.);
 
     double        error = 0.;
@@ -216,11 +216,8 @@ namespace
       solver.solve(rates, system);
 
       std::vector<double> known(1);
-      discretization.contact_end().get_values(Field::displacement,
-                                              state.displacement,
-                                              known);
-      const double free_penetration =
-        known[0] - state.gap[0] + tau * end_value(rates);
+      discretization.contact_end().get_penetrations(state, 1, known);
+      const double free_penetration = known[0] + tau * end_value(rates);
       const double p =
         std::max(free_penetration, 0.) / (law.tangent(0.) + receptance);
       rates.add(-p, response);

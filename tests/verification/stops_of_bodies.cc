@@ -60,9 +60,10 @@ namespace
   const Overrides is_static{"Model/Inertia=0", "Model/Viscosity=0"};
   const Overrides quasi_static{"Model/Inertia=0"};
   const Overrides massless{"Contact/Massless nodes=on"};
-  const Overrides by_gap{"Boundary/Heat exchange=if(pressure>0,1+pressure,"
-                         "0.1/(0.1+gap))",
-                         "Boundary/Obstacle temperature=2"};
+  const Overrides by_gap{
+    "Boundary/right/Heat exchange=if(pressure>0,1+pressure,"
+    "0.1/(0.1+gap))",
+    "Boundary/right/Surroundings=2"};
   const Overrides iterative{"Solver/Linear solver=iterative",
                             "Solver/Linear tolerance=1e-13"};
 
@@ -71,12 +72,13 @@ namespace
   void
   check_rest()
   {
-    const Overrides scene = is_static + Overrides{"Contact/Rear gap=0.2",
-                                                  "Model/Coupling=0",
-                                                  "Mesh/Cells=2",
-                                                  "Mesh/Degree=1",
-                                                  "Sources/End traction=-0.5",
-                                                  "Time/End time=0.1"};
+    const Overrides scene =
+      is_static + Overrides{"Contact/Rear gap=0.2",
+                            "Model/Coupling=0",
+                            "Mesh/Cells=2",
+                            "Mesh/Degree=1",
+                            "Boundary/right/Traction=-0.5",
+                            "Time/End time=0.1"};
     const Overrides soft{"Contact/Compliance=0.5"};
     const double    s = (std::sqrt(5.8) - 1.) / 8.;
     for (const auto &[name, choice, exact] :
@@ -95,13 +97,14 @@ namespace
                 << std::endl;
       }
     const StepRecord last =
-      rows_of<1>(scene + soft +
-                   Overrides{"Boundary/Heat exchange=if(pressure>0.1,2,1)",
-                             "Boundary/Fixed end temperature=0",
-                             "Boundary/Obstacle temperature=1",
-                             "Initial values/Temperature=0",
-                             "Time/End time=12"},
-                 MPI_COMM_SELF)
+      rows_of<1>(
+        scene + soft +
+          Overrides{"Boundary/right/Heat exchange=if(pressure>0.1,2,1)",
+                    "Boundary/left/Temperature=0",
+                    "Boundary/right/Surroundings=1",
+                    "Initial values/Temperature=0",
+                    "Time/End time=12"},
+        MPI_COMM_SELF)
         .back();
     deallog << "at rest, heat exchange of the rear stop "
             << within(std::abs(last.temperature_end - 2. / 3.), 1e-6)
@@ -119,7 +122,7 @@ namespace
       euler + choice +
       Overrides{"Dimension=2",
                 "Model/Coupling=0.05",
-                "Boundary/Fixed end temperature=0",
+                "Boundary/left/Temperature=0",
                 "Initial values/Temperature=0",
                 "Contact/Gap=0.01",
                 "Contact/Rear gap=0.012",
@@ -127,8 +130,8 @@ namespace
                 "Mesh/Cells=2",
                 "Mesh/Cells across=3",
                 "Mesh/Degree=2",
-                "Boundary/Lateral support=free",
-                "Sources/End traction=2*sin(9*t)*(y-0.27)",
+                "Boundary/sides/Support=free",
+                "Boundary/right/Traction=2*sin(9*t)*(y-0.27)",
                 "Time/End time=0.5"};
     const Overrides direct{"Solver/Linear solver=direct"};
     bool            is_at_both = false;

@@ -105,8 +105,8 @@ namespace
                              "Model/Viscosity=0",
                              "Model/Poisson ratio=0.3",
                              "Contact/Condition=none",
-                             "Boundary/Lateral support=free",
-                             "Boundary/Fixed end support=sliding",
+                             "Boundary/sides/Support=free",
+                             "Boundary/left/Support=sliding",
                              "Mesh/Width=" + digits.str(),
                              "Mesh/Cells=" + std::to_string(n_along),
                              "Mesh/Cells across=" + std::to_string(n_across),
@@ -117,9 +117,9 @@ namespace
                              "Solver/Linear solver=" + solver};
     const Overrides load =
       is_bent ? Overrides{"Model/Fields=displacement",
-                          "Sources/End traction=" + traction.str()} :
+                          "Boundary/right/Traction=" + traction.str()} :
                 Overrides{"Initial values/Temperature=theta_A",
-                          "Boundary/Heat exchange=0"};
+                          "Boundary/right/Heat exchange=0"};
     Simulation<dim> simulation(read_parameters("", scene + load),
                                MPI_COMM_SELF);
     simulation.run({});
@@ -217,13 +217,13 @@ namespace
                                    Overrides{"Solver/Linear tolerance=1e-12"};
     const auto         whole =
       rows<dim>(scene + tight +
-                Overrides{"Boundary/Lateral support=free",
+                Overrides{"Boundary/sides/Support=free",
                           "Contact/Gap=0.01+0.3*((y-0.2)^2" + of_z + ")",
                           "Mesh/Width=0.4",
                           "Mesh/Cells across=4"});
     const auto half =
       rows<dim>(scene + tight +
-                Overrides{"Boundary/Lateral support=symmetric",
+                Overrides{"Boundary/sides/Support=symmetric",
                           "Contact/Gap=0.01+0.3*(y^2" + of_half + ")",
                           "Mesh/Width=0.2",
                           "Mesh/Cells across=2"});
@@ -254,22 +254,22 @@ namespace
     double u[2];
     for (const std::string solver : {"direct", "iterative"})
       {
-        Simulation<3> simulation(
-          read_parameters("",
-                          {"Dimension=3",
-                           "Model/Inertia=0",
-                           "Model/Poisson ratio=0.4999",
-                           "Contact/Gap=1",
-                           "Boundary/Lateral support=free",
-                           "Mesh/Width=4",
-                           "Mesh/Cells=8",
-                           "Mesh/Cells across=2",
-                           "Mesh/Degree=2",
-                           "Time/Scheme=sdirk2",
-                           "Time/Step size=0.1",
-                           "Time/End time=0.1",
-                           "Solver/Linear solver=" + solver}),
-          MPI_COMM_SELF);
+        Simulation<3> simulation(read_parameters("",
+                                                 {"Dimension=3",
+                                                  "Model/Inertia=0",
+                                                  "Model/Poisson ratio=0.4999",
+                                                  "Contact/Gap=1",
+                                                  "Boundary/sides/Support=free",
+                                                  "Mesh/Width=4",
+                                                  "Mesh/Cells=8",
+                                                  "Mesh/Cells across=2",
+                                                  "Mesh/Degree=2",
+                                                  "Time/Scheme=sdirk2",
+                                                  "Time/Step size=0.1",
+                                                  "Time/End time=0.1",
+                                                  "Solver/Linear solver=" +
+                                                    solver}),
+                                 MPI_COMM_SELF);
         simulation.run({});
         u[solver == "iterative"] = simulation.record().displacement_end;
       }

@@ -58,6 +58,7 @@ namespace ThermoContact
   /** Boundary ids that GridGenerator gives to a coloured box. */
   constexpr types::boundary_id fixed_boundary_id   = 0; ///< $x=0$
   constexpr types::boundary_id contact_boundary_id = 1; ///< $x=1$
+  constexpr types::boundary_id first_lateral_id    = 2; ///< $y=0$
 
   /**
    * What differs in one dimension: a face is a point, and the mesh is too small

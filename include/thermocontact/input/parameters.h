@@ -44,20 +44,71 @@ namespace ThermoContact
 
 
 
-  /** Section Boundary: doc/model.md (M1.3). */
+  /** Section Boundary: doc/model.md (M1.3), by the names of its parts. */
   struct BoundaryParameters
   {
-    double      fixed_end_temperature = 10.;  ///< $\theta_A$, a number,
-    std::string fixed_end_expression;         ///< or else in t
-    std::string fixed_end_displacement = "0"; ///< $u_A$, in t
-    double      heat_exchange          = 1.;  ///< $k\ge0$ if it is a number,
-    std::string exchange_expression;          ///< or else in gap, pressure
-    double      obstacle_temperature = 0.;    ///< $\theta_{obs}$, a number,
-    std::string obstacle_expression;          ///< or else in y, z, t
-    double      lateral_heat_exchange = 0.;   ///< $m\ge0$
-    double      ambient_temperature   = 0.;   ///< $\theta_\infty$
-    std::string lateral_support       = "rollers";
-    std::string fixed_end_support     = "clamped";
+    /** What an end of a rod carries, per area of the cross-section. */
+    struct Attached
+    {
+      double spring  = 0.; ///< $s\ge0$, to the ground
+      double dashpot = 0.; ///< $d\ge0$, to the ground
+      double mass    = 0.; ///< $m\ge0$
+
+      bool
+      is_any() const
+      {
+        return spring > 0. || dashpot > 0. || mass > 0.;
+      }
+    };
+
+    /** The end x = 0. */
+    struct Left : Attached
+    {
+      std::string support      = "clamped";
+      std::string displacement = "0";     ///< $u_A$, in t
+      std::string traction     = "0";     ///< $t_A$
+      double      temperature  = 10.;     ///< $\theta_A$, a number,
+      std::string temperature_expression; ///< or else in t, or none
+      double      heat_exchange = 0.;     ///< $k_A\ge0$
+      double      surroundings  = 0.;     ///< $\theta_{sA}$
+      std::string heat_flux     = "0";    ///< $h_A$
+
+      /** A temperature is given there; else heat may flow. */
+      bool
+      has_temperature() const
+      {
+        return temperature_expression != "none";
+      }
+
+      bool
+      is_free() const
+      {
+        return support == "free";
+      }
+    };
+
+    /** The contact end x = 1. */
+    struct Right : Attached
+    {
+      double      heat_exchange = 1.;      ///< $k\ge0$ if it is a number,
+      std::string exchange_expression;     ///< or else in gap, pressure
+      double      surroundings = 0.;       ///< $\theta_{obs}$, a number,
+      std::string surroundings_expression; ///< or else in y, z, t
+      std::string traction  = "0";         ///< $t$
+      std::string heat_flux = "0";         ///< $h$
+    };
+
+    /** The lateral faces. */
+    struct Sides
+    {
+      std::string support       = "rollers";
+      double      heat_exchange = 0.; ///< $m\ge0$
+      double      surroundings  = 0.; ///< $\theta_\infty$
+    };
+
+    Left  left;
+    Right right;
+    Sides sides;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -98,10 +149,8 @@ namespace ThermoContact
   /** Section Sources: expressions in x (y, z), t. */
   struct SourceParameters
   {
-    std::string heat_source   = "0"; ///< $q$
-    std::string body_force    = "0"; ///< $f$
-    std::string end_traction  = "0"; ///< $t$
-    std::string end_heat_flux = "0"; ///< $h$
+    std::string heat_source = "0"; ///< $q$
+    std::string body_force  = "0"; ///< $f$
 
     void
     add_parameters(ParameterHandler &prm);

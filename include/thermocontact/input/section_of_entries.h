@@ -32,11 +32,13 @@ namespace ThermoContact
     /**
      * A number, or an expression, whose text is not looked at.
      *
-     * @param names that it may use, "y, z, t": DeclaredEntry::variables
-     * @param is_signed the number may be negative
+     * @param names that it may use, "y, z, t": DeclaredEntry::variables     * @param is_signed the number may be negative
+     * @param or_word another word that is allowed; empty: there is none
      */
     static NumberOrText
-    number_or_expression(const std::string &names, const bool is_signed);
+    number_or_expression(const std::string &names,
+                         const bool         is_signed,
+                         const std::string &or_word = "");
 
     /** An expression alone, which a number is, too. */
     static NumberOrText
@@ -63,9 +65,9 @@ namespace ThermoContact
     using Number = std::variant<std::monostate,
                                 dealii::Patterns::Double,
                                 dealii::Patterns::Integer>;
-
     std::string the_word;
     std::string names;
+    std::string or_word; ///< for the description alone
     Number      number;
 
     NumberOrText(const std::string &word,
@@ -82,7 +84,8 @@ namespace ThermoContact
   /**
    * Declares the entries of a section as long as it lives, and binds them to
    * variables, whose values are the defaults:
-   * `entry("Gap", gap, pattern).means("...")`.
+   * `entry("Gap", gap, pattern).means("...")`. The name of a section within
+   * another one is "Outer/Inner".
    */
   class SectionOfEntries
   {
@@ -171,7 +174,8 @@ namespace ThermoContact
                const NumberOrText &pattern);
 
   private:
-    dealii::ParameterHandler &prm;
+    dealii::ParameterHandler      &prm;
+    const std::vector<std::string> names;
   };
 
 

@@ -12,10 +12,11 @@ namespace ThermoContact
 {
   /**
    * The factors of a linear system, doc/discretisation.md (D2.2), of a rod for
-   * @p n_fields unknowns at a node, whose rates vanish at node 0. Inner nodes
-   * are eliminated cell by cell, once for all cells of a run; what remains is a
-   * block-tridiagonal system of the vertices, which is eliminated from both
-   * ends at once: two chains of operations that do not wait for each other.
+   * @p n_fields unknowns at a node; those that are held vanish at node 0. Inner
+   * nodes are eliminated cell by cell, once for all cells of a run; what
+   * remains is a block-tridiagonal system of the vertices, which is eliminated
+   * from both ends at once: two chains of operations that do not wait for each
+   * other.
    *
    * Blocks are eliminated without pivots between them, which is stable if the
    * symmetric part of the matrix is definite, as that of every stage is.
@@ -33,9 +34,14 @@ namespace ThermoContact
     using Right    = std::array<const double *, n_fields>;
     using Solution = std::array<double *, n_fields>;
 
-    RodFactors(const RodMatrices &matrices, const Blocks &blocks);
+    /** Which fields are held at node 0. */
+    using Held = std::array<bool, n_fields>;
 
-    /** Node 0 of the right-hand side is not read. */
+    RodFactors(const RodMatrices &matrices,
+               const Blocks      &blocks,
+               const Held        &held);
+
+    /** Held values of the right-hand side at node 0 are not read. */
     void
     solve(const Right &right, const Solution &solution) const;
 
@@ -75,16 +81,20 @@ namespace ThermoContact
       std::vector<double> inner_to_vertices; ///< by rows
     };
 
-    const RodLayout                     layout;
-    const std::vector<RodMatrices::Run> runs;
-    const unsigned int                  n_inner; ///< unknowns of a cell
-    const unsigned int                  middle;  ///< vertex that is last
-    std::vector<Cell>                   cells;   ///< one for each run
-    std::vector<Vertex>                 vertices;
-    NodeBlock                           from_left, from_right;
-    mutable std::vector<double>         vertex_values;
-    mutable std::vector<double>         inner_values;
-    double                              growth_;
+    const RodLayout                      layout;
+    const std::vector<RodMatrices::Run>  runs;
+    const unsigned int                   n_inner; ///< unknowns of a cell
+    const unsigned int                   middle;  ///< vertex that is last
+    const Held                           held;
+    const bool                           has_left; ///< not all are held
+    std::vector<Cell>                    cells;    ///< one for each run
+    std::vector<Vertex>                  vertices;
+    NodeBlock                            from_left, from_right;
+    Vertex                               left; ///< node 0, if it has unknowns
+    mutable std::array<double, n_fields> left_values;
+    mutable std::vector<double>          vertex_values;
+    mutable std::vector<double>          inner_values;
+    double                               growth_;
 
     /**
      * Makes a cell of its system, vertices first.

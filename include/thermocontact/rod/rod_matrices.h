@@ -98,10 +98,13 @@ namespace ThermoContact
     /**
      * @param tolerance up to which entries of cells are the same, as a part of
      *   the largest one of the matrix in the cell
+     * @param carries whether something is attached to the left and the right
+     *   end, of which the entries of the cell there have a part
      */
-    RodMatrices(const RodLayout &layout,
-                const double     tolerance,
-                const Entry     &entry);
+    RodMatrices(const RodLayout           &layout,
+                const double               tolerance,
+                const Entry               &entry,
+                const std::array<bool, 2> &carries = {});
 
     const RodLayout &
     layout() const
@@ -147,6 +150,8 @@ namespace ThermoContact
       bool conducts_differences;
 
       bool loses_heat; ///< by its sides or to an obstacle
+
+      bool carries; ///< something is attached to one of its vertices
     };
 
     const std::vector<Run> &

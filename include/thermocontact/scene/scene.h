@@ -46,6 +46,7 @@ namespace ThermoContact
     double heating;        ///< $a$ of $-a\,\mathrm{div}\,u_t$; 0 if it is off
     double lambda;         ///< Lame coefficients of unit P-wave modulus
     double two_mu;
+    bool   has_dashpots; ///< at the ends of a rod
 
     bool
     has_inertia() const
@@ -57,6 +58,16 @@ namespace ThermoContact
     has_viscosity() const
     {
       return viscosity > 0.;
+    }
+
+    /**
+     * The factor of $S_\zeta$, which contains the dashpots: $\zeta$, or 1
+     * where they alone resist velocities.
+     */
+    double
+    viscous_factor() const
+    {
+      return has_viscosity() ? viscosity : has_dashpots ? 1. : 0.;
     }
 
     bool
@@ -107,8 +118,15 @@ namespace ThermoContact
   {
     std::unique_ptr<const HeatExchange> exchange;
 
-    /** $\theta_A$; if it varies, its value at $t=0$. */
+    /**
+     * $\theta_A$ of the end $x=0$; if it varies, its value at $t=0$; if none
+     * is given there, the temperature $\theta_{sA}$ of its surroundings.
+     */
     double fixed_end_temperature;
+
+    bool has_given_temperature; ///< at the end $x=0$
+
+    double left_exchange; ///< $k_A\ge0$; 0 where a temperature is given
 
     /** $\theta_A(t)$ if it varies; else null. */
     std::unique_ptr<const TimeFunction> fixed_end_drive;
@@ -192,12 +210,22 @@ namespace ThermoContact
       return reference_coefficient / (reference_coefficient + 1.);
     }
 
-    /** $\theta_s(x)$ without a lateral heat exchange. */
+    /** $\theta_s(x)$ without a lateral heat exchange, (M2.1), (M2.4). */
     double
     steady_temperature(const double x) const
     {
-      return fixed_end_temperature -
-             steady_drop() * (fixed_end_temperature - obstacle_temperature) * x;
+      if (has_given_temperature)
+        return fixed_end_temperature -
+               steady_drop() * (fixed_end_temperature - obstacle_temperature) *
+                 x;
+      if (left_exchange == 0.)
+        return reference_coefficient > 0. ? obstacle_temperature :
+                                            fixed_end_temperature;
+      // the resistance of the obstacle and the body is 1/steady_drop()
+      const double flux = steady_drop() *
+                          (fixed_end_temperature - obstacle_temperature) /
+                          (1. + steady_drop() / left_exchange);
+      return fixed_end_temperature - flux / left_exchange - flux * x;
     }
   };
 
@@ -240,13 +268,6 @@ namespace ThermoContact
     is_two_sided() const
     {
       return std::isfinite(rear_gap);
-    }
-
-    /** True if an obstacle in front at this gap reaches the one behind. */
-    bool
-    stops_overlap(const double gap_in_front) const
-    {
-      return !(gap_in_front + rear_gap > 0.);
     }
 
     bool
@@ -318,6 +339,8 @@ namespace ThermoContact
     bool has_body_force;
     bool has_end_traction;
     bool has_end_heat_flux;
+    bool has_left_traction;
+    bool has_left_heat_flux;
     bool has_varying_obstacle;   ///< its temperature
     bool has_driven_temperature; ///< of the fixed end
     bool has_moving_end;         ///< the fixed end
@@ -327,8 +350,8 @@ namespace ThermoContact
     any() const
     {
       return has_heat_source || has_body_force || has_end_traction ||
-             has_end_heat_flux || has_varying_obstacle || drives_end() ||
-             has_moving_obstacle;
+             has_end_heat_flux || has_left_traction || has_left_heat_flux ||
+             has_varying_obstacle || drives_end() || has_moving_obstacle;
     }
 
     /** The fixed end is heated or moved as a function of time. */
@@ -390,6 +413,9 @@ namespace ThermoContact
 
     /** The fixed end may move across the axis; dim > 1. */
     const bool has_sliding_end;
+
+    /** The end $x=0$ is free. */
+    const bool has_free_end;
 
     const bool has_lumped_mass;
 

@@ -34,8 +34,13 @@ namespace ThermoContact
     bool           has_matrices;
     double exchange_coefficient; ///< $k$ of the contact end, if constant
     double lateral_exchange;     ///< $m$, (M5.5)
-    double gap;                  ///< $g$ of all nodes; 0 with a shape
-    std::optional<Expression> gap_expression; ///< of a shape or a motion
+    bool   has_free_end;
+    bool   has_given_temperature;
+    double left_exchange; ///< $k_A$ of the end $x=0$
+    BoundaryParameters::Attached left, right;
+    double                       rear_gap; ///< $g_2$; infinite: none
+    double                       gap;      ///< $g$ of all nodes; 0 with a shape
+    std::optional<Expression>    gap_expression; ///< of a shape or a motion
 
     bool
     operator==(const SpatialScene &other) const;

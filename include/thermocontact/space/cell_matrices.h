@@ -35,7 +35,8 @@ namespace ThermoContact
 
   /**
    * Where heat exchange with a constant coefficient acts: at the contact end
-   * with $k$, (M1.3), and with the surroundings, doc/model.md (M5.5), (D1.5):
+   * with $k$, (M1.3), at the end $x=0$ with $k_A$ where it has no given
+   * temperature, and with the surroundings, doc/model.md (M5.5), (D1.5):
    * in all cells of a rod, whose sides are not on the mesh, with $m$, and on
    * the lateral faces of a body, those at its axis of symmetry excepted, with
    * $m|A|/|\partial A|$, whose cross-section has one temperature then.
@@ -58,12 +59,13 @@ namespace ThermoContact
 
   private:
     const Discretization<dim> &discretization;
+    const double               left_coefficient;
     const double               end_coefficient;
     const double               lateral_coefficient;
     FEValues<dim>              cell_values;
     FEFaceValues<dim>          face_values;
 
-    /** $k$, $m|A|/|\partial A|$ or 0. */
+    /** $k$, $k_A$, $m|A|/|\partial A|$ or 0. */
     double
     coefficient(const typename DoFHandler<dim>::face_iterator &face) const;
   };

@@ -139,12 +139,13 @@ namespace ThermoContact
     }
 
     /**
-     * Those of a fixed end that does not slide, which leave no rigid motion.
+     * Those of a clamped end with a given temperature, which leave no rigid
+     * motion.
      */
     AffineConstraints<double>
     clamped_constraints() const
     {
-      return make_constraints(false);
+      return make_constraints(ComponentMask(n_components(), true), false);
     }
 
     /** Locally owned indices of the whole system. */
@@ -286,9 +287,9 @@ namespace ThermoContact
     std::vector<Vector>                       prototypes;
     SystemVector                              system_prototype;
     std::unique_ptr<const ContactEnd<dim>>    contact_end_;
-    const bool                                has_pins;
-    std::vector<IndexSet>                     constrained_;
-    std::vector<std::vector<unsigned int>>    constrained_entries_;
+
+    std::vector<IndexSet>                  constrained_;
+    std::vector<std::vector<unsigned int>> constrained_entries_;
 
     std::array<std::vector<NodalValue<dim>>, 2> nodal_values_;
 
@@ -306,8 +307,13 @@ namespace ThermoContact
     void
     add_ghosts_of_cells();
 
+    /** The components whose rates vanish at the end $x=0$. */
+    ComponentMask
+    held_components(const SpatialScene &scene) const;
+
+    /** @param held components of the end $x=0$ */
     AffineConstraints<double>
-    make_constraints(const bool has_sliding_end) const;
+    make_constraints(const ComponentMask &held, const bool has_pins) const;
 
     /** Holds across the axis what is left of a body that nothing holds. */
     void

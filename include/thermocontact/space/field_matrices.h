@@ -84,6 +84,10 @@ namespace ThermoContact
     void
     assemble_stiffness();
 
+    /** What the ends of a rod carry. */
+    void
+    assemble_attached();
+
     /** Of the contact end, and with the surroundings. */
     void
     assemble_heat_exchange();

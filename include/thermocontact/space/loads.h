@@ -75,10 +75,15 @@ namespace ThermoContact
         const Function<dim>     &function,
         const Field::Block       field);
 
-    /** Adds a heat flux through the contact end to the sources, times a factor.
+    /**
+     * Adds what acts on a part of the boundary to the sources, times a factor:
+     * a heat flux into the body, or a force along the axis.
      */
     void
-    integrate_end_flux(const Function<dim> &flux, const double factor = 1.);
+    integrate_face(const types::boundary_id part,
+                   const Field::Block       field,
+                   const Function<dim>     &load,
+                   const double             factor = 1.);
 
     /** Adds heat source and body force. */
     void

@@ -53,10 +53,12 @@ namespace ThermoContact
     const Data initial_velocity; ///< $(0, u_1)$ likewise; 0 without inertia
 
     // sources, or null
-    const Data heat_source;   ///< $q$
-    const Data body_force;    ///< $f$, dim components
-    const Data end_traction;  ///< $t$
-    const Data end_heat_flux; ///< $h$
+    const Data heat_source;    ///< $q$
+    const Data body_force;     ///< $f$, dim components
+    const Data end_traction;   ///< $t$
+    const Data end_heat_flux;  ///< $h$
+    const Data left_traction;  ///< $t_A$
+    const Data left_heat_flux; ///< $h_A$
 
     /**
      * By how much the obstacle is warmer than SceneHeat::obstacle_temperature;

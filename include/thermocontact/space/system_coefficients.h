@@ -92,7 +92,8 @@ namespace ThermoContact
                {0., FieldMatrix::conduction},
                {c.conduction, FieldMatrix::conduction}}};
     return {{{c.inertia * material.inertia, FieldMatrix::momentum_mass},
-             {c.viscosity * material.viscosity, FieldMatrix::viscous_stiffness},
+             {c.viscosity * material.viscous_factor(),
+              FieldMatrix::viscous_stiffness},
              {c.stiffness, FieldMatrix::stiffness}}};
   }
 
