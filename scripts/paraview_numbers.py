@@ -1,5 +1,6 @@
 """The numbers that the pictures of scripts/paraview show; knows no ParaView."""
 
+import itertools
 import math
 import sys
 
@@ -14,7 +15,8 @@ USUAL = ["temperature", "stress", "displacement", "velocity"]
 
 
 def marks_of(run):
-    """Names of pictures and the times that they show, of a run (plot_run)."""
+    """Names of pictures and the times that they show, of a run (plot_run); of the first contact
+    its begin and end."""
     forces = [force if math.isfinite(force) else 0
               for force in run.data["contact_force"]]
     motion = [abs(u) if math.isfinite(u) else 0
@@ -22,7 +24,7 @@ def marks_of(run):
     peak = forces if max(forces) > 0 else motion
     marks = {"peak": run.data["time"][peak.index(max(peak))]}
     if run.contacts:
-        marks["first-contact"] = run.contacts[0][0]
+        marks["first-contact"] = list(run.contacts[0])
     return marks
 
 
@@ -115,11 +117,15 @@ def nearest(times, time):
 
 
 def times_of_pictures(times, marks, n_frames):
-    """Time of each picture by its name, and times of the animation. Without a snapshot
-    of the first contact there is no picture of it."""
-    pictures = {name: nearest(times, time) for name, time in marks.items()}
-    if pictures.get("first-contact") == times[0] < marks["first-contact"]:
-        del pictures["first-contact"]
+    """Time of each picture by its name, and times of the animation. The first contact is the first
+    snapshot within it, since those before show a gap; without one there is no picture of it."""
+    pictures = {name: nearest(times, time) for name, time in marks.items() if name != "first-contact"}
+    if "first-contact" in marks:
+        begin, end = marks["first-contact"]
+        rounding = 1e-9 * times[-1]  # of the times in the files
+        within = [time for time in times if begin - rounding <= time <= end + rounding]
+        if within:
+            pictures["first-contact"] = within[0]
     pictures.update(first=times[0], last=times[-1])
     stride = math.ceil(len(times) / max(1, n_frames))
     return pictures, times[::stride] if n_frames else []
@@ -129,14 +135,29 @@ def remarks_on(pictures, marks):
     """What is to be said of pictures that are missing, or one snapshot."""
     remarks = []
     if "first-contact" in marks and "first-contact" not in pictures:
-        remarks.append("no first-contact.png: the snapshot nearest to t = "
-                       f"{marks['first-contact']:g} is the first one, t = {pictures['first']:g}")
+        begin, end = marks["first-contact"]
+        remarks.append("no first-contact.png: there is no snapshot within the first contact, "
+                       f"{begin:g} < t < {end:g}")
     names = {time: [name for name in ("first", "first-contact", "peak", "last")
                     if pictures.get(name) == time] for time in pictures.values()}
     remarks += [f"{' and '.join(same)} are one snapshot, t = {time:g}"
                 for time, same in sorted(names.items()) if len(same) > 1]
     return [remark + "; a shorter Output/Fields interval makes more" * (
         "first-contact" in remark) for remark in remarks]
+
+
+def view_of(low, high, is_oblique):
+    """How a box is looked at: unit vectors to the camera and to the right of the picture, and the
+    width and the height in which the box is seen. From the side, or obliquely from above.
+
+    low, high: corners of the box
+    """
+    away = numpy.array([-0.35, 0.45, 1.5] if is_oblique else [0., 0., 1.])
+    right = numpy.cross([0., 1., 0.], away)
+    away, right = (v / numpy.linalg.norm(v) for v in (away, right))
+    corners = numpy.array(list(itertools.product(*zip(low, high))))
+    width, height = (numpy.ptp(corners @ v) for v in (right, numpy.cross(away, right)))
+    return away, right, width, height
 
 
 def scale_label(scale):

@@ -8,13 +8,13 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import paraview_contact
 import paraview_space_time
 from paraview import servermanager
-from paraview.simple import (Box, Clean, ColorBy, CreateView, ExtractSurface,
-                             GetColorTransferFunction, GetScalarBar,
+from paraview.simple import (Box, Calculator, Clean, ColorBy, CreateView,
+                             ExtractSurface, GetColorTransferFunction, GetScalarBar,
                              LinearExtrusion, PVDReader, Render,
                              SaveScreenshot, Show, Text, Tube, WarpByVector,
                              XMLUnstructuredGridReader)
 from paraview_numbers import (Ranges, field_of, scale_label, time_labels,
-                              times_of_pictures)
+                              times_of_pictures, view_of)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 RADIUS = 0.05  # of the rod, in its lengths
@@ -88,15 +88,22 @@ def range_of_gaps(settings, times):
     return min(ends), max(ends)
 
 
-def show_shape(view, path, scale, thickness, colour, opacity):
+def show_shape(view, path, length, scale, back, colour, opacity):
     """An obstacle whose gap is not the same everywhere or that moves, as far as the
-    end reaches."""
+    end reaches: a solid behind its face with a flat back.
+
+    length: of the body, where the gap begins
+    back: where the obstacle ends
+    """
     face = WarpByVector(Input=reader_of(path),
                         Vectors=["POINTS", "displacement"], ScaleFactor=scale)
     # sides of cells that are one do not become walls
     surface = Clean(Input=ExtractSurface(Input=face))
-    shape = LinearExtrusion(Input=surface, ScaleFactor=thickness, Vector=[1, 0, 0])
-    show_plain(view, shape, colour, opacity).ColorArrayName = ["POINTS", ""]
+    sheet = LinearExtrusion(Input=surface, ScaleFactor=length, Vector=[1, 0, 0])
+    solid = Calculator(Input=sheet, CoordinateResults=1, Function=(
+        f"if(coordsX > {length} * 1.5 + {scale} * gap, {back}, coordsX) * iHat"
+        " + coordsY * jHat + coordsZ * kHat"))
+    show_plain(view, solid, colour, opacity).ColorArrayName = ["POINTS", ""]
 
 
 def body_of(snapshots, scale):
@@ -151,18 +158,14 @@ def show_colours(view, shown, snapshots, size, unit):
     shown.SetScalarBarVisibility(view, True)
 
 
-def make_view(snapshots, right, box, width):
+def make_view(snapshots, low, high, width):
     """Looks at the plane of x and y; at a block obliquely, from above. The scene
     is on the left, so that beside it there is room for the colour bar.
 
-    box: least and largest y and z of what is shown
+    low, high: corners of the box with all that is shown
     """
-    low, high = box
-    unit = snapshots.ranges.length
-    across = max(2 * RADIUS * unit, high[0] - low[0])
-    if snapshots.dim == 3:
-        across = 1.4 * (across + 0.35 * (high[1] - low[1]))
-    length = (right + 0.14 * unit) / (1 - BAR)
+    away, to_right, seen, across = view_of(low, high, snapshots.dim == 3)
+    length = (seen + 0.08 * snapshots.ranges.length) / (1 - BAR)
     pixels = int(width * min(1., max(0.3, 1.25 * across / length + 0.1)))
     view = CreateView("RenderView")
     view.ViewSize = [width, pixels]
@@ -173,12 +176,10 @@ def make_view(snapshots, right, box, width):
     view.CameraParallelProjection = 1
     # as wide as the picture, or as high if that is more
     view.CameraParallelScale = max(length * pixels / width, 1.3 * across) / 2
-    focus = [right / 2 + BAR * length / 2, (low[0] + high[0]) / 2,
-             (low[1] + high[1]) / 2]
-    away = [-0.35, 0.45, 1.5] if snapshots.dim == 3 else [0, 0, 3]
+    focus = [(a + b) / 2 + BAR * length / 2 * r for a, b, r in zip(low, high, to_right)]
     view.CameraFocalPoint = focus
     # in front of all, since what is behind the camera is cut away
-    far = right + sum(high) - sum(low)
+    far = 2 * (sum(high) - sum(low)) + length
     view.CameraPosition = [f + far * a for f, a in zip(focus, away)]
     view.CameraViewUp = [0, 1, 0]
     return view
@@ -209,7 +210,7 @@ def render(settings):
     more = 0.04 * unit
     low, high = [v - more for v in low], [v + more for v in high]
     # an obstacle that goes farther than a length leaves the picture
-    view = make_view(snapshots, right + min(depth, unit), (low, high),
+    view = make_view(snapshots, [-0.03 * unit, *low], [right + min(depth, unit), *high],
                      settings["width"])
     size = max(10, settings["width"] // 55)
     show_colours(view, show_body(view, snapshots, scale), snapshots, size,
@@ -218,8 +219,7 @@ def render(settings):
         show_box(view, [-0.03 * unit, *low], [0, *high], [0.45] * 3)
     block = None
     if plate is not None and settings["shape"]:
-        show_shape(view, settings["shape"], scale, right - plate,
-                   [0.84, 0.37, 0], 0.55)
+        show_shape(view, settings["shape"], unit, scale, right + depth, [0.84, 0.37, 0], 0.55)
     elif plate is not None:
         block = show_box(view, [plate, *low], [right, *high], [0.84, 0.37, 0], 0.55)
     time_text = show_text(view, size, "Upper Left Corner")

@@ -28,7 +28,7 @@ def check_marks(numbers):
     nan = math.nan
     for forces, displacements, contacts, expected in (
             ([0, 1, 3, 2], [0, 9, 1, 1], [(0.5, 1), (2, 3)],
-             {"peak": 2, "first-contact": 0.5}),
+             {"peak": 2, "first-contact": [0.5, 1]}),
             ([0, 0, 0, 0], [0.1, -0.3, 0.2, 0], [], {"peak": 1}),
             ([nan] * 4, [0.1, -0.3, 0.4, 0], [], {"peak": 2}),
             ([nan] * 4, [nan] * 4, [], {"peak": 0})):
@@ -40,20 +40,41 @@ def check_marks(numbers):
 
 
 def check_missing(numbers):
-    """Snapshots at 0, 1, 2, 3: none of a contact that begins at 0.4, the peak at 2.9 is
-    the last one; of 0.6 and 1.2 that at 1."""
+    """Snapshots at 0, 1, 2, 3: the first within the first contact, none if it lies between two; the
+    peak at 2.9 is the last one."""
     for marks, expected, words in (
-            ({"peak": 2.9, "first-contact": 0.4}, {"first": 0, "peak": 3, "last": 3},
-             ["no first-contact.png", "peak and last are one snapshot, t = 3"]),
-            ({"peak": 1.2, "first-contact": 0.6},
+            ({"peak": 2.9, "first-contact": [0.4, 0.9]}, {"first": 0, "peak": 3, "last": 3},
+             ["no first-contact.png: there is no snapshot within the first contact, 0.4 < t < 0.9; a "
+              "shorter", "peak and last are one snapshot, t = 3"]),
+            ({"peak": 1.2, "first-contact": [0.4, 1.5]},
              {"first": 0, "first-contact": 1, "peak": 1, "last": 3},
              ["first-contact and peak are one snapshot, t = 1"]),
-            ({"peak": 2, "first-contact": 0}, {"first": 0, "first-contact": 0, "peak": 2,
-                                               "last": 3}, ["first and first-contact are one"])):
+            ({"peak": 2, "first-contact": [1 + 1e-12, 3]},
+             {"first": 0, "first-contact": 1, "peak": 2, "last": 3}, []),
+            ({"peak": 2, "first-contact": [1.1, 3]},
+             {"first": 0, "first-contact": 2, "peak": 2, "last": 3}, ["first-contact and peak are one"]),
+            ({"peak": 2, "first-contact": [0, 1]}, {"first": 0, "first-contact": 0, "peak": 2,
+                                                    "last": 3}, ["first and first-contact are one"])):
         pictures = numbers.times_of_pictures([0, 1, 2, 3], marks, 0)[0]
         remarks = numbers.remarks_on(pictures, marks)
         check(f"pictures of {marks}", pictures == expected and len(remarks) == len(words) and
               all(word in remark for word, remark in zip(words, remarks)), f"{pictures} {remarks}")
+
+
+def check_views(numbers):
+    """From the side a box is as wide and high as it is. Obliquely a cube is seen with the sum of
+    its edges' projections: of the vector (-0.35, 0.45, 1.5) to the camera, of length l, to the
+    right is (1.5, 0, 0.35)/r, and upwards e = (0.1575, r^2, -0.675)/(r l), r^2 = 1.5^2 + 0.35^2."""
+    away, right, width, height = numbers.view_of([-1, 0, -2], [3, 0.5, 2], False)
+    check("a view from the side", (*away, *right, width, height) == (0, 0, 1, 1, 0, 0, 4, 0.5),
+          f"{away} {right} {width} {height}")
+    r = math.hypot(1.5, 0.35)
+    length = math.hypot(r, 0.45)
+    away, right, width, height = numbers.view_of([0] * 3, [2] * 3, True)
+    check("an oblique view", abs(width - 2 * 1.85 / r) + abs(
+        height - 2 * (0.1575 + r * r + 0.675) / (r * length)) < 1e-12 and
+        abs(away[2] - 1.5 / length) + abs(right[0] - 1.5 / r) < 1e-12,
+        f"{away} {right} {width} {height}")
 
 
 def check_plates(numbers):
@@ -103,6 +124,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_marks(paraview.paraview_numbers)
     check_missing(paraview.paraview_numbers)
     check_plates(paraview.paraview_numbers)
+    check_views(paraview.paraview_numbers)
     check_gaps(paraview)
     check_animation(paraview)
     os.chdir("/")

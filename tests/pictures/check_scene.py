@@ -6,8 +6,9 @@ What scripts/paraview shows is what its texts say, of a rod and of a strip befor
 an obstacle that turns. Without ParaView: a stand-in passes on what the scripts ask
 of it. For each picture: the text is the time of its snapshot, the moved end is at
 1 + S u(1), S from the text "displacement x S", and the face of the obstacle at
-1 + S g; peak is nearest to the time of the largest force, first-contact to the
-first event; the colours span the field of the title over all snapshots. Then the
+1 + S g; peak is nearest to the time of the largest force, first-contact the first
+within the first contact; all is in the picture, beside the colours; an obstacle with
+a shape has a flat back; the colours span the field of the title over all snapshots. Then the
 panels of the space-time picture and of the contact face. Exit status 77,
 "skipped", without matplotlib.
 """
@@ -51,7 +52,7 @@ def scene_of(directory, *arguments):
             return made[kind][-1]
         setattr(paraview_scene, kind, watched)
 
-    for kind in ("WarpByVector", "Text", "Box", "LinearExtrusion",
+    for kind in ("WarpByVector", "Text", "Box", "Calculator",
                  "GetColorTransferFunction", "GetScalarBar"):
         watch(kind)
 
@@ -60,10 +61,27 @@ def scene_of(directory, *arguments):
         return source.output().GetBounds()[:2]
 
     def screenshot(path, view):
-        obstacle = (made.get("LinearExtrusion") or made["Box"])[-1]
+        obstacle = (made.get("Calculator") or made["Box"])[-1]
+        for source in (obstacle, made["WarpByVector"][0]):
+            source.UpdatePipeline(view.ViewTime)
         camera, focus = map(numpy.array, (view.CameraPosition, view.CameraFocalPoint))
         body = made["WarpByVector"][0].output().points
         check("all is before the camera", ((camera - body) @ (camera - focus)).min() > 0)
+        # in halves of the height of the picture, from its middle
+        right = numpy.cross(view.CameraViewUp, camera - focus)
+        upwards = numpy.cross(camera - focus, right)
+        width, height = view.ViewSize
+        for name, points in (("body", body), ("fixed end", made["Box"][0].output().corners()),
+                             ("obstacle", obstacle.output().corners())):
+            x, y = ((points - focus) @ axis / numpy.linalg.norm(axis) / view.CameraParallelScale
+                    for axis in (right, upwards))
+            share = (x * height / width + 1) / 2
+            check(f"the {name} is in the picture", 0 < share.min() and share.max() < 0.8 and
+                  abs(y).max() < 1, f"{share.min()} {share.max()} {abs(y).max()}")
+        if "Calculator" in made:
+            x = obstacle.output().points[:, 0]
+            check("a flat back", (x[len(x) // 2:] == x.max()).all() and
+                  (x[:len(x) // 2] <= x.max()).all(), f"{x.min()} {x.max()}")
         pictures[Path(path).stem] = (
             view.ViewTime, [text.Text for text in made["Text"]],
             bounds(made["WarpByVector"][0], view.ViewTime),
@@ -91,7 +109,7 @@ def check_scene(directory, field, gaps, *arguments):
     begin = table(Path(directory, "events.csv"))["time"][0]
     peak = rows["time"][rows["contact_force"].argmax()]
     times = {"first": 0., "last": max(meshes), "peak": nearest(peak),
-             "first-contact": nearest(begin)}
+             "first-contact": min(time for time in meshes if time >= begin)}
     check(f"{directory}: which", {name: picture[0] for name, picture in
           pictures.items() if "frame" not in name} == times, str(list(pictures)))
     for name, (time, texts, body, obstacle) in pictures.items():

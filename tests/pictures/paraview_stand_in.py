@@ -42,6 +42,12 @@ class Grid:
         return tuple(f(self.points[:, d]) for d in range(3)
                      for f in (numpy.min, numpy.max))
 
+    def corners(self):
+        """Of its bounds."""
+        bounds = self.GetBounds()
+        return numpy.array([[bounds[i], bounds[2 + j], bounds[4 + k]]
+                            for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+
     def GetCells(self):
         return types.SimpleNamespace(
             GetConnectivityArray=lambda: self.quads.ravel())
@@ -108,7 +114,21 @@ class LinearExtrusion(Proxy):
     def output(self):
         grid = self.Input.output()
         shift = self.ScaleFactor * numpy.array(self.Vector)
-        return Grid(numpy.concatenate([grid.points, grid.points + shift]), {})
+        return Grid(numpy.concatenate([grid.points, grid.points + shift]),
+                    {name: numpy.concatenate([a, a]) for name, a in grid.arrays.items()})
+
+
+class Calculator(Proxy):
+    """New coordinates of points."""
+
+    def output(self):
+        grid = self.Input.output()
+        unit = dict(zip(("iHat", "jHat", "kHat"), numpy.eye(3)))
+        names = {f"coords{axis}": grid.points[:, [d]] for d, axis in enumerate("XYZ")} | {
+            name: a.reshape(len(grid.points), -1) for name, a in grid.arrays.items()}
+        assert self.CoordinateResults == 1
+        return Grid(eval(self.Function.replace("if(", "where("), {"where": numpy.where},
+                         unit | names), grid.arrays)
 
 
 class Box(Proxy):
@@ -141,7 +161,7 @@ def install():
     proxies = {name: Proxy for name in ("Clean", "ExtractSurface", "Text", "Tube")}
     modules["paraview.simple"].__dict__.update(
         proxies, Box=Box, WarpByVector=WarpByVector, PVDReader=Reader,
-        LinearExtrusion=LinearExtrusion,
+        LinearExtrusion=LinearExtrusion, Calculator=Calculator,
         XMLUnstructuredGridReader=GridReader, Render=None, SaveScreenshot=None,
         ColorBy=lambda shown, field: None, CreateView=lambda kind: Proxy(),
         Show=lambda source, view: Proxy(),
