@@ -33,7 +33,7 @@ namespace ThermoContact
 
 
 
-    /** Those of contact.csv, all of which a Simulation saves. */
+    /** Columns of contact.csv, all of which a Simulation saves. */
     std::vector<std::string>
     column_names()
     {
@@ -45,7 +45,7 @@ namespace ThermoContact
 
 
 
-    /** What a run that goes on may have otherwise. */
+    /** Entries that a run may have otherwise when it goes on. */
     const std::set<std::string> changeable = {"Title",
                                               "Time/End time",
                                               "Output/Directory",
@@ -217,7 +217,7 @@ namespace ThermoContact
      * whole.
      *
      * @param n_ranks,this_rank the share of the parts to look at
-     * @throw std::exception saying what is wrong
+     * @throw std::exception with the fault
      */
     Checkpoint
     read_common(const std::string &path,

@@ -221,7 +221,7 @@ namespace ThermoContact
   void
   Output<dim>::observe_failure(const Simulation<dim> &simulation)
   {
-    // those of a step that was accepted have been written
+    // attempts of a step that was accepted have been written
     const auto &attempts = simulation.history().attempts;
     if (!attempts.empty() && !attempts.back().is_accepted)
       for (const StepAttempt &attempt : attempts)

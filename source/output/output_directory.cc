@@ -26,7 +26,7 @@ namespace ThermoContact
   {
     namespace fs = std::filesystem;
 
-    /** What a run or a study leaves behind; other files are the user's. */
+    /** Files that a run or a study leaves behind; others are the user's. */
     const char *const run_files[] = {
       "checkpoint?(.next|.previous).bin",
       "@(contact|fields|obstacle).pvd",
@@ -108,7 +108,7 @@ namespace ThermoContact
 
 
 
-    /** Returns what is wrong, or nothing; changes nothing. */
+    /** Returns the fault, or nothing; changes nothing. */
     std::string
     find_fault(const fs::path &directory)
     {

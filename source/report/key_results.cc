@@ -76,7 +76,7 @@ namespace ThermoContact
       const unsigned int nearest = nearest_state(states, end);
       const auto         is_near =
         [](const double value, const double rest, const double scale) {
-          // what the scene does not have is NaN
+          // a result that the scene does not have is NaN
           return std::isnan(rest) ||
                  std::abs(value - rest) <= Tolerances::reached_state * scale;
         };

@@ -120,7 +120,7 @@ namespace ThermoContact
 
 
 
-    /** What steps follow of the loads. */
+    /** The features of the loads that steps follow. */
     std::string
     describe_loads(const LoadHistory &loads, const OutputUnits &units)
     {

@@ -33,7 +33,7 @@ namespace ThermoContact
 
 
     /**
-     * What was known before the run, beside what came out; null where nothing
+     * The forecasts beside the results of the run; null where nothing
      * was.
      */
     nlohmann::ordered_json
@@ -106,7 +106,7 @@ namespace ThermoContact
 
 
 
-    /** What is not known is null; remarks are warnings. */
+    /** A number that is not known is null; remarks are warnings. */
     void
     add_errors(const KeyErrors &errors, nlohmann::ordered_json &entries)
     {

@@ -23,8 +23,8 @@ namespace ThermoContact
 
 
     /**
-     * Differences of the key results of a scene to those of the run: 0 of what
-     * neither has, NaN of what one has; nothing if it cannot be run.
+     * Differences of the key results of a scene to those of the run: 0 of a
+     * result that neither has, NaN if one has it; nothing if it cannot be run.
      */
     using Differences =
       std::function<std::optional<KeyResults>(const CoarserScene &)>;
@@ -43,9 +43,9 @@ namespace ThermoContact
 
 
     /**
-     * (D9.3) of what differences there are.
+     * (D9.3) of the differences that there are.
      *
-     * @param missed what the largest values of the step ends miss
+     * @param missed by the largest values of the step ends
      */
     KeyResults
     time_errors(const Parameters  &parameters,
@@ -58,7 +58,7 @@ namespace ThermoContact
         {
           if (const auto differences = differences_of(scene))
             for (auto &[k, bar] : bars)
-              // what a coarser one misses tells nothing
+              // the miss of a coarser one tells nothing
               if (const double of_scene =
                     scene.weight * std::abs(differences->at(k));
                   is_first || of_scene > bar)
@@ -74,8 +74,8 @@ namespace ThermoContact
 
 
     /**
-     * By what the error of a result falls from mesh to mesh, from its
-     * differences to the run.
+     * The factor by which the error of a result falls from mesh to mesh, from
+     * its differences to the run.
      */
     double
     rate(const double near, const double far, const double smallest)
@@ -109,9 +109,9 @@ namespace ThermoContact
 
 
     /**
-     * What releases within steps may cost with the scheme without dispersion: a
-     * rigid obstacle lets go at the end of a step, half of one early or late,
-     * on meshes that may all be wrong alike, (D9.5).
+     * The error that releases within steps may cost with the scheme without
+     * dispersion: a rigid obstacle lets go at the end of a step, half of one
+     * early or late, on meshes that may all be wrong alike, (D9.5).
      */
     KeyResults
     errors_of_releases(const Scene &scene, const RunHistory &history)
@@ -165,7 +165,7 @@ namespace ThermoContact
 
 
 
-    /** (D9.4) of what differences there are. */
+    /** (D9.4) of the differences that there are. */
     KeyResults
     space_errors(const Parameters  &parameters,
                  const KeyResults  &values,
@@ -192,7 +192,7 @@ namespace ThermoContact
         {
           const double own    = rate(near->at(k), far.at(k), smallest);
           const double common = std::max(own, std::sqrt(own * largest));
-          // what follows a geometric sequence of differences
+          // the rest of a geometric sequence of differences
           const double factor =
             common < 1. ? common / (1. - common) : largest_factor;
           bar = std::min(factor, largest_factor) * std::abs(near->at(k));

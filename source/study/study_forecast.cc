@@ -29,10 +29,10 @@ namespace ThermoContact
 
 
 
-    /** What the scenes of some runs and of the reference tell. */
+    /** Forecasts from the scenes of some runs and of the reference. */
     struct StudyForecast
     {
-      std::vector<RunMemory> runs; ///< those that have no row yet
+      std::vector<RunMemory> runs; ///< runs that have no row yet
       double                 bytes_of_reference = 0.;
       bool                   has_bodies         = false;
       double                 steps              = 0.;

@@ -273,7 +273,7 @@ namespace ThermoContact
 
 
 
-    /** What an error means, which is one of nondimensional quantities. */
+    /** The meaning of an error, which is one of nondimensional quantities. */
     void
     check_scales_of_errors(const ScalesParameters &a,
                            const ScalesParameters &b,

@@ -19,7 +19,8 @@ namespace ThermoContact
 {
   namespace
   {
-    /** What used.prm of a single run leaves out: the study is not its own. */
+    /** Entries that used.prm of a single run leaves out: the study is not its
+     * own. */
     std::set<std::string>
     foreign_entries(const Scene &scene, const ParameterHandler &prm)
     {

@@ -36,7 +36,7 @@ namespace ThermoContact
 
 
 
-    /** What a row of study.csv is made of. */
+    /** The parts of a row of study.csv. */
     struct StudyRow
     {
       unsigned int             number; ///< of the run

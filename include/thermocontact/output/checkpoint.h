@@ -49,7 +49,7 @@ namespace ThermoContact
     /** Ranks of the run. */
     unsigned int n_ranks = 0;
 
-    /** What Simulation::save() gave. */
+    /** The results of Simulation::save(). */
     std::string progress; ///< of all ranks
     std::string nodes;    ///< of this rank
 
@@ -59,7 +59,7 @@ namespace ThermoContact
     std::string            path;
     std::vector<PartPlace> parts;
 
-    /** What is wrong with a newer one that cannot be read; mostly empty. */
+    /** The fault of a newer one that cannot be read; mostly empty. */
     std::string warning;
   };
 
@@ -69,7 +69,7 @@ namespace ThermoContact
    * Makes @p checkpoint the newest of @p directory, in one piece and surviving
    * a loss of power. Collective; each rank writes its nodes.
    *
-   * @throw ComputationError saying what is wrong, with the path; the earlier
+   * @throw ComputationError with the fault and the path; the earlier
    *   ones are as they were then
    */
   void
@@ -81,7 +81,7 @@ namespace ThermoContact
    * Reads the newest checkpoint of @p directory that is whole, without the
    * nodes. Collective: each rank looks at its share of the file.
    *
-   * @throw InputError if there is none, with what is wrong with each file
+   * @throw InputError if there is none, with the fault of each file
    */
   Checkpoint
   read_checkpoint(const std::string &directory, const MPI_Comm communicator);
@@ -108,8 +108,8 @@ namespace ThermoContact
    * Collective.
    *
    * @param entries path and value of every parameter of that run
-   * @throw InputError naming what differs, a file that is too short, or an end
-   *   time before the checkpoint
+   * @throw InputError naming an entry that differs, a file that is too short,
+   * or an end time before the checkpoint
    */
   void
   check_compatibility(const Checkpoint                         &checkpoint,

@@ -34,7 +34,7 @@ namespace ThermoContact
                  Output<dim>                              &output);
 
     /**
-     * Writes what is due. Collective.
+     * Writes a checkpoint if one is due. Collective.
      *
      * @throw ComputationError naming the file that cannot be written
      * @throw Interruption after a signal

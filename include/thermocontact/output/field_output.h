@@ -47,7 +47,7 @@ namespace ThermoContact
      * that write() does it for the first one, and then once a second.
      *
      * @param only_due nothing within a second of the last time
-     * @return what is wrong, with the path, or nothing; on this rank
+     * @return the fault, with the path, or nothing; on this rank
      */
     std::string
     write_lists(const bool only_due = false);
@@ -69,7 +69,7 @@ namespace ThermoContact
     restore(const std::vector<double> &times);
 
     /**
-     * The snapshots so far survive a loss of power; returns what is wrong, on
+     * The snapshots so far survive a loss of power; returns the fault, on
      * all ranks. Collective.
      */
     std::string
@@ -91,13 +91,13 @@ namespace ThermoContact
     std::vector<SnapshotSeries *>
     all_series();
 
-    /** Writes the file of the fields; returns what is wrong. Collective. */
+    /** Writes the file of the fields; returns the fault. Collective. */
     std::string
     write_fields(const State &state);
 
     /**
-     * Writes what is small: contact end, obstacle, PVD files. Rank 0 does;
-     * returns what is wrong, or nothing. Collective.
+     * Writes the small files: contact end, obstacle, PVD files. Rank 0 does;
+     * returns the fault, or nothing. Collective.
      */
     std::string
     write_others(const State &state);

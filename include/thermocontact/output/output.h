@@ -48,7 +48,7 @@ namespace ThermoContact
            const OutputProgress  *progress = nullptr);
 
     /**
-     * Writes what is due at the present state of @p simulation.
+     * Writes the rows and files that are due at the present state of @p simulation.
      *
      * @throw ComputationError naming a file that cannot be written; what was
      *   written before stays readable
@@ -82,8 +82,8 @@ namespace ThermoContact
     flush();
 
     /**
-     * Makes what is written survive a loss of power and tells how far that is;
-     * on rank 0. Collective, same exceptions as observe().
+     * Makes all that is written survive a loss of power and tells how far that
+     * is; on rank 0. Collective, same exceptions as observe().
      */
     OutputProgress
     sync();
@@ -133,7 +133,7 @@ namespace ThermoContact
      */
     std::map<std::string, std::uint64_t> sizes;
 
-    /** Opens what is asked for; on one rank. */
+    /** Opens the tables that are asked for; on one rank. */
     void
     open_tables(const Simulation<dim> &simulation);
 

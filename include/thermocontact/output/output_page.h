@@ -6,10 +6,10 @@
 namespace ThermoContact
 {
   /**
-   * The page doc/output.md: what is in each file of an output directory. The
-   * only list of columns, keys and arrays with their kinds of quantities, by
-   * which they have their units: a heading of the second level is the name of a
-   * file, a row of its table has a name, its kind and its meaning.
+   * The page doc/output.md: the contents of each file of an output directory.
+   * The only list of columns, keys and arrays with their kinds of quantities,
+   * by which they have their units: a heading of the second level is the name
+   * of a file, a row of its table has a name, its kind and its meaning.
    */
   extern const char *const output_page;
 } // namespace ThermoContact

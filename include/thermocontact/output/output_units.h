@@ -34,7 +34,7 @@ namespace ThermoContact
       return of(is_si() ? kind_of(file, name) : "");
     }
 
-    /** Those of the columns of a table; none if there are no units. */
+    /** The units of the columns of a table; none if there are none. */
     template <typename Record>
     Conversions
     of_columns(const std::string &file, const CsvColumns<Record> &columns) const

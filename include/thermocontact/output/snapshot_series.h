@@ -51,7 +51,7 @@ namespace ThermoContact
     }
 
     /**
-     * Writes the PVD file if it lacks snapshots; returns what is wrong, or
+     * Writes the PVD file if it lacks snapshots; returns the fault, or
      * nothing. On one rank.
      */
     std::string
@@ -67,15 +67,15 @@ namespace ThermoContact
     }
 
     /**
-     * Removes what an earlier run has written after these snapshots; returns
-     * what is wrong, or nothing. On one rank.
+     * Removes the files that an earlier run has written after these snapshots;
+     * returns the fault, or nothing. On one rank.
      */
     std::string
     remove_later();
 
     /**
      * The snapshots so far survive a loss of power, as far as this rank has
-     * written them; returns what is wrong, or nothing.
+     * written them; returns the fault, or nothing.
      */
     std::string
     sync();

@@ -57,7 +57,7 @@ namespace ThermoContact
      * number of columns. On one rank.
      *
      * @param is_done removes the columns if no checkpoint needs them
-     * @return what is wrong, with the path, or nothing
+     * @return the fault, with the path, or nothing
      */
     std::string
     write_vtu(const bool is_done);
@@ -71,7 +71,7 @@ namespace ThermoContact
     PointValues<dim>              point_values;
     TableFile                     columns_file;
 
-    /** Those that the scene has, and their names. */
+    /** Fields that the scene has, and their names. */
     std::vector<unsigned int> quantities;
     std::vector<std::string>  names;
   };

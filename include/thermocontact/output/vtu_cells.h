@@ -93,7 +93,7 @@ namespace ThermoContact
       return head() + take_piece() + foot();
     }
 
-    /** What stands in a file before its pieces. */
+    /** The head of a file, before its pieces. */
     static std::string
     head()
     {
@@ -114,7 +114,7 @@ namespace ThermoContact
       return text.str();
     }
 
-    /** What stands in a file behind its pieces. */
+    /** The end of a file, behind its pieces. */
     static std::string
     foot()
     {

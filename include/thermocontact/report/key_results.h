@@ -21,8 +21,8 @@ namespace ThermoContact
   final_state(const StepRecord &record);
 
   /**
-   * What is asked of a run first, by its key in summary.json; nondimensional,
-   * NaN for what there is not.
+   * The results that users ask for first, each by its key in summary.json;
+   * nondimensional, NaN for a result that there is not.
    */
   using KeyResults = std::map<std::string, double>;
 
@@ -31,7 +31,7 @@ namespace ThermoContact
   key_result_names();
 
   /**
-   * Those that have error bars, for which the keys of summary.json add
+   * Key results with error bars, for which the keys of summary.json add
    * "_time_error" and "_space_error".
    */
   const std::vector<std::string> &
@@ -49,7 +49,7 @@ namespace ThermoContact
   KeyResults
   smooth_key_results(const Scene &scene, const RunHistory &history);
 
-  /** Error bars of those that have some. */
+  /** Error bars of the key results that have some. */
   struct KeyErrors
   {
     KeyResults               time;  ///< NaN: not known

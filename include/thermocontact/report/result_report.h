@@ -16,7 +16,7 @@
 namespace ThermoContact
 {
   /**
-   * What is to be said of fixed steps that took more than a twentieth of the
+   * A warning of fixed steps that took more than a twentieth of the
    * energy that was there at first or came by work, or missed the forecast of
    * the first impact by more than a step.
    *

@@ -58,7 +58,7 @@ namespace ThermoContact
       return prm_;
     }
 
-    /** What it was read of. */
+    /** The statements that it was read from. */
     const std::vector<Assignment> &
     assignments() const
     {

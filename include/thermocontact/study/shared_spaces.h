@@ -18,7 +18,7 @@ namespace ThermoContact
   class SharedSpaces
   {
   public:
-    /** Those of @p scene, on this rank alone; until the next call. */
+    /** The spaces of @p scene, on this rank alone; until the next call. */
     template <int dim>
     const AssembledSpace<dim> &
     get(const SpatialScene &scene)

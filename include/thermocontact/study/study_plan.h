@@ -44,7 +44,7 @@ namespace ThermoContact
     unsigned int
     set_of(const unsigned int run) const;
 
-    /** What @p run overrides in the scene, in the order of Study/Vary. */
+    /** Entries that @p run overrides in the scene, in the order of Study/Vary. */
     Overrides
     overrides(const unsigned int run) const;
 
@@ -56,7 +56,7 @@ namespace ThermoContact
     std::vector<std::string>
     entries(const unsigned int run) const;
 
-    /** Of the scene that the runs override: what read_scene() needs. */
+    /** Of the scene that the runs override: the input of read_scene(). */
     const std::vector<Assignment> assignments;
 
     /** An entry and the values that it is to have, one after the other. */
@@ -75,7 +75,7 @@ namespace ThermoContact
      * first use. */
     const std::vector<std::string> varied;
 
-    /** What the reference overrides; none: there is no reference. */
+    /** Entries that the reference overrides; none: there is no reference. */
     const std::optional<Overrides> reference;
 
     /**

@@ -17,7 +17,7 @@
 
 namespace ThermoContact
 {
-  /** What a run of a study cost and what came out. */
+  /** Cost and results of a run of a study. */
   struct StudyRun
   {
     std::string failure; ///< empty: done
@@ -63,7 +63,7 @@ namespace ThermoContact
      * @param n_repetitions of the same run, for its time
      * @param directory where the run leaves all its files; empty: it leaves
      *   none
-     * @return what came out; a run that cannot be made or fails says so there
+     * @return cost and results; a run that cannot be made or fails says so there
      * @throw Interruption if a signal has come
      */
     StudyRun

@@ -17,7 +17,7 @@ namespace ThermoContact
   /**
    * study.csv: a row for each run that has ended, whole whatever happens, in
    * the order of their ends while the study runs and of their numbers when it
-   * is done. What is told of a study is read from here, so that it is the same
+   * is done. All reports of a study read from here, so that it is the same
    * for a study that was killed and went on.
    */
   class StudyTable
@@ -34,7 +34,7 @@ namespace ThermoContact
     /**
      * Appends the row of a run that has ended, in one piece; any rank.
      *
-     * @return what is wrong, with path and remedy, or nothing
+     * @return the fault, with path and remedy, or nothing
      */
     std::string
     append(const unsigned int run, const StudyRun &result) const;
@@ -54,7 +54,7 @@ namespace ThermoContact
      * Writes the file anew, its head and the rows read by the numbers of the
      * runs. No rank may append meanwhile.
      *
-     * @return what is wrong, with path and remedy, or nothing
+     * @return the fault, with path and remedy, or nothing
      */
     std::string
     sort();

@@ -11,7 +11,7 @@
 
 namespace ThermoContact
 {
-  /** What a study compares: the contact quantities of a run over time. */
+  /** The contact quantities of a run over time, which a study compares. */
   class Trajectory
   {
   public:
