@@ -81,32 +81,6 @@ namespace ThermoContact
         }
       return scale;
     }
-
-
-
-    /**
-     * How far a node goes with $z=z_0+\xi z'$ until it is on another branch of
-     * its law: where z is at one of its obstacles.
-     *
-     * @param lead smallest distance
-     */
-    double
-    distance_to_branch(const NodeLaw &law,
-                       const double   z,
-                       const double   rate,
-                       const double   lead)
-    {
-      double     distance = infinity;
-      const auto look     = [&](const double value, const double value_rate) {
-        // towards the obstacle from outside, or back to it from within
-        if (value * value_rate < 0.)
-          distance = std::min(distance, std::max(-value / value_rate, lead));
-      };
-      look(law.front_penetration(z), rate);
-      if (std::isfinite(law.play))
-        look(law.rear_penetration(z), -rate);
-      return distance;
-    }
   } // namespace
 
 
@@ -166,7 +140,7 @@ namespace ThermoContact
                 z -= static_receptance(i, j) * pressure[j];
             distance =
               std::min(distance,
-                       distance_to_branch(laws[i], z, change(i, 0), lead));
+                       laws[i].distance_to_branch(z, change(i, 0), lead));
           }
         const double next   = std::min(1., xi + distance);
         const double length = next - xi;

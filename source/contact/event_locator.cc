@@ -64,7 +64,7 @@ namespace ThermoContact
 
 
   void
-  EventLocator::Scales::add(const LocalValues &local)
+  ContactProgress::Scales::add(const LocalValues &local)
   {
     for (unsigned int i = 0; i < local.size(); ++i)
       {
@@ -88,8 +88,6 @@ namespace ThermoContact
     , tolerance(tolerance)
     , has_small_changes(has_small_changes)
     , has_velocity(has_velocity)
-    , mode_(ContactMode::unilateral)
-    , is_in_contact(false)
   {}
 
 
@@ -370,7 +368,7 @@ namespace ThermoContact
       add_event(event, events);
     pending.clear();
     if (mode_ == ContactMode::open && finding.kind == Finding::at_end)
-      side = finding.side;
+      side = finding.obstacle;
     if (mode_ == ContactMode::unilateral)
       accept_unilateral(next, known, events);
     else if (finding.kind == Finding::at_end)
@@ -468,12 +466,12 @@ namespace ThermoContact
                         const bool           is_aimed,
                         const BodyScales    &scales) const
   {
-    Finding finding = examine_local({next, side}, is_aimed, scales);
-    finding.side    = side;
+    Finding finding  = examine_local({next, side}, is_aimed, scales);
+    finding.obstacle = side;
     if (mode_ != ContactMode::open || std::isinf(next.rear.penetration.front()))
       return finding;
     Finding other    = examine_local({next, -side}, is_aimed, scales);
-    other.side       = -side;
+    other.obstacle   = -side;
     const auto is_of = [](const Finding &f) {
       return f.kind != Finding::nothing;
     };

@@ -147,8 +147,8 @@ namespace ThermoContact
         const double h = Tolerances::difference_step * (closed ? load : length);
         const double s = closed ? 0. : laws[i].penetration(position[i]);
         const double p = laws[i].push(pressure[i]);
-        const double side = closed ? laws[i].push_slope(pressure[i]) :
-                                     laws[i].nearer_side(position[i]);
+        const double inwards = closed ? laws[i].push_slope(pressure[i]) :
+                                        laws[i].penetration_slope(position[i]);
         const double slope_of_k =
           h == 0. ?
             0. :
@@ -157,7 +157,7 @@ namespace ThermoContact
               h;
         for (unsigned int j = 0; j < n; ++j)
           result(i, j) =
-            side * slope_of_k * (closed ? by_pressure(i, j) : result(i, j));
+            inwards * slope_of_k * (closed ? by_pressure(i, j) : result(i, j));
       }
     return result;
   }

@@ -178,8 +178,8 @@ namespace ThermoContact
         // the other obstacle sees a velocity that is smaller by
         const double of_front = front_rate - local_rate();
         const double of_rear  = local_rate();
-        const double at_front = front_penetration(start) + tau * of_front;
-        const double at_rear  = rear_penetration(start) + tau * of_rear;
+        const double at_front = penetration_of(1, start) + tau * of_front;
+        const double at_rear  = penetration_of(-1, start) + tau * of_rear;
         const Damped front(*law, at_front, tau, is_held);
         const Damped rear(*law, at_rear, tau, is_held);
         return is_held ? (side > 0 ? front.resolve(z, r) :
@@ -188,8 +188,8 @@ namespace ThermoContact
       }
     if (mean_from)
       {
-        const double front = front_penetration(*mean_from);
-        const double rear  = rear_penetration(*mean_from);
+        const double front = penetration_of(1, *mean_from);
+        const double rear  = penetration_of(-1, *mean_from);
         return side > 0 ? Mean(*law, front, rear).resolve(z, r) :
                           reversed(Mean(*law, rear, front).resolve(-z, r));
       }
@@ -205,9 +205,11 @@ namespace ThermoContact
 
 
   double
-  NodeLaw::change_side(const double position)
+  NodeLaw::face(const int new_side, const double position)
   {
-    side = -side;
+    if (new_side == side)
+      return position;
+    side = new_side;
     return position - side * play;
   }
 
@@ -219,7 +221,8 @@ namespace ThermoContact
     if (law == nullptr || !law->is_active())
       return true;
     const double s = position(x);
-    return !is_held && front_penetration(s) <= 0. && rear_penetration(s) <= 0.;
+    return !is_held && penetration_of(1, s) <= 0. &&
+           penetration_of(-1, s) <= 0.;
   }
 
 
@@ -227,9 +230,113 @@ namespace ThermoContact
   double
   NodeLaw::pressure_at(const double position, const double velocity) const
   {
-    return law->damped_pressure(front_penetration(position),
-                                velocity - front_rate) -
-           law->damped_pressure(rear_penetration(position), -velocity);
+    double pressure = 0.;
+    for (const int sign : {1, -1})
+      pressure +=
+        sign * law->damped_pressure(penetration_of(sign, position),
+                                    sign * (velocity - rate_of(sign)));
+    return pressure;
+  }
+
+
+
+  double
+  NodeLaw::elastic_pressure(const double position) const
+  {
+    return law->pressure(penetration_of(1, position)) -
+           law->pressure(penetration_of(-1, position));
+  }
+
+
+
+  double
+  NodeLaw::continued_pressure(const double position) const
+  {
+    return std::isinf(play) ?
+             std::copysign(law->pressure(std::abs(position)), position) :
+             elastic_pressure(position);
+  }
+
+
+
+  namespace
+  {
+    /** Factors (1 + c v) by which a pressure is divided without loss. */
+    constexpr double smallest_factor = 0.5;
+
+
+
+    /** elastic_pressure() of one obstacle, with what is positive into it. */
+    double
+    elastic_part(const ContactLaw &law,
+                 const double      pressure,
+                 const double      s,
+                 const double      v,
+                 const double      rounding)
+    {
+      const double of_law = law.pressure(s);
+      const double factor = 1. + law.damping() * v;
+      if (factor < smallest_factor)
+        return of_law;
+      if (pressure == 0.)
+        return v > 0. ? 0. : of_law;
+      const double value = pressure / factor;
+      return std::abs(law.penetration(value) - s) <= rounding ? value : of_law;
+    }
+  } // namespace
+
+
+
+  double
+  NodeLaw::elastic_pressure(const double position,
+                            const double velocity,
+                            const double pressure,
+                            const double rounding) const
+  {
+    double elastic = 0.;
+    for (const int sign : {1, -1})
+      elastic += sign * elastic_part(*law,
+                                     std::max(sign * pressure, 0.),
+                                     penetration_of(sign, position),
+                                     sign * (velocity - rate_of(sign)),
+                                     rounding);
+    return elastic;
+  }
+
+
+
+  double
+  NodeLaw::numerical_dissipation(const double position,
+                                 const double displacement,
+                                 const double way,
+                                 const double old_pressure,
+                                 const double pressure) const
+  {
+    const int sign = sign_of(pressure);
+    return law->numerical_dissipation(sign *
+                                        (displacement - (sign > 0 ? way : 0.)),
+                                      penetration_of(sign, position),
+                                      sign * old_pressure,
+                                      sign * pressure);
+  }
+
+
+
+  double
+  NodeLaw::distance_to_branch(const double z,
+                              const double rate,
+                              const double lead) const
+  {
+    double     distance = infinity;
+    const auto look     = [&](const double value, const double value_rate) {
+      // towards the obstacle from outside, or back to it from within
+      if (value * value_rate < 0.)
+        distance = std::min(distance, std::max(-value / value_rate, lead));
+    };
+    look(penetration_of(1, z), rate);
+    if (std::isfinite(play))
+      look(penetration_of(-1, z), -rate);
+    return distance;
   }
 
 

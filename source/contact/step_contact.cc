@@ -5,6 +5,7 @@
 #include <thermocontact/method/bracketed_root.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ThermoContact
@@ -21,28 +22,40 @@ namespace ThermoContact
 
 
     /** One of the obstacles, as the node sees it. */
-    class StepSide
+    class StepObstacle
     {
     public:
-      StepSide(const ContactLaw &law, const double start, const double size)
-        : law(law)
+      /**
+       * @param sign 1: in front of the node; -1: behind it
+       * @param rate of its place
+       */
+      StepObstacle(const ContactLaw &law,
+                   const int         sign,
+                   const double      start,
+                   const double      rate,
+                   const double      size)
+        : sign(sign)
+        , law(law)
         , start(start)
         , start_pressure(law.pressure(start))
+        , rate(rate)
         , size(size)
       {}
 
-      /** Velocity into it at which the node ends at its surface. */
+      const int sign;
+
+      /** w of a node that ends at its surface. */
       double
-      velocity_to_touch() const
+      touching_velocity() const
       {
-        return -start / size;
+        return rate - sign * start / size;
       }
 
-      /** Of a node with this velocity into it that ends outside. */
+      /** Of a node with this w that ends outside. */
       SideEnd
       end_outside(const double velocity) const
       {
-        return {std::min(start + size * velocity, 0.), 0.};
+        return {std::min(start + size * sign * (velocity - rate), 0.), 0.};
       }
 
       SideEnd
@@ -99,6 +112,7 @@ namespace ThermoContact
       const ContactLaw &law;
       const double      start;
       const double      start_pressure;
+      const double      rate;
       const double      size;
 
       double
@@ -116,153 +130,124 @@ namespace ThermoContact
       StepProblem(const ContactLaw &law, const StepPath &path)
         : law(law)
         , path(path)
-        , front(law, path.front, path.size)
-        , rear(law, path.rear, path.size)
-        , has_rear(std::isfinite(path.rear))
+        , obstacles{{{law, 1, path.front, path.front_rate, path.size},
+                     {law, -1, path.rear, 0., path.size}}}
+        , n(std::isfinite(path.rear) ? 2 : 1)
       {}
-
-      StepContact
-      solve(const double front_weight, const double rear_weight) const
-      {
-        const Problem problem{front_weight, rear_weight};
-        if (path.free_velocity - touch(1) > path.negligible_velocity &&
-            excess(at_touch(1), problem) < 0.)
-          return closed(1, problem);
-        if (has_rear &&
-            touch(-1) - path.free_velocity > path.negligible_velocity &&
-            excess(at_touch(-1), problem) > 0.)
-          return closed(-1, problem);
-        return open(problem);
-      }
 
       StepContact
       solve() const
       {
-        if (law.is_rigid())
-          return solve(1., 1.);
-        const StepContact at_end = solve(1., 1.);
-        if (at_end.pressure == 0. && path.front <= 0. && path.rear <= 0.)
+        const StepContact at_end = solve({{1., 1.}});
+        if (law.is_rigid() ||
+            (at_end.pressure == 0. && path.front <= 0. && path.rear <= 0.))
           return at_end;
-        const Ends ends = ends_of(at_end);
-        return solve(front.weight(ends.front, path.response),
-                     has_rear ? rear.weight(ends.rear, path.response) : 0.);
+        const Ends ends = at_end.end_pressure == 0. ?
+                            ends_at(at_end.velocity) :
+                            ends_under(at_end.end_pressure > 0. ? 0 : 1,
+                                       std::abs(at_end.end_pressure));
+        Weights    weights{};
+        for (unsigned int i = 0; i < n; ++i)
+          weights[i] = obstacles[i].weight(ends.at[i], path.response);
+        return solve(weights);
       }
 
     private:
-      const ContactLaw &law;
-      const StepPath   &path;
-      const StepSide    front, rear;
-      const bool        has_rear;
+      const ContactLaw                 &law;
+      const StepPath                   &path;
+      const std::array<StepObstacle, 2> obstacles;
+      const unsigned int                n; ///< of them
 
-      struct Problem
-      {
-        double front_weight, rear_weight;
-      };
+      using Weights = std::array<double, 2>;
 
       struct Ends
       {
-        double  velocity; ///< w
-        SideEnd front, rear;
+        double                 velocity; ///< w
+        std::array<SideEnd, 2> at;
       };
 
-      /** w with which the node ends at the surface of an obstacle. */
-      double
-      touch(const int side) const
+      StepContact
+      solve(const Weights &weights) const
       {
-        return side > 0 ? path.front_rate + front.velocity_to_touch() :
-                          0. - rear.velocity_to_touch();
-      }
-
-      SideEnd
-      front_end(const double velocity) const
-      {
-        return front.end_outside(velocity - path.front_rate);
-      }
-
-      SideEnd
-      rear_end(const double velocity) const
-      {
-        return has_rear ? rear.end_outside(-velocity) : SideEnd{-infinity, 0.};
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const StepObstacle &o = obstacles[i];
+            if (o.sign * (path.free_velocity - o.touching_velocity()) >
+                  path.negligible_velocity &&
+                o.sign * excess(ends_under(i, 0.), weights) < 0.)
+              return closed(i, weights);
+          }
+        return open(weights);
       }
 
       Ends
       ends_at(const double velocity) const
       {
-        return {velocity, front_end(velocity), rear_end(velocity)};
+        Ends ends{velocity, {}};
+        for (unsigned int i = 0; i < n; ++i)
+          ends.at[i] = obstacles[i].end_outside(velocity);
+        return ends;
       }
 
       /** The node ends in an obstacle, under this pressure of it. */
       Ends
-      ends_under(const int side, const double pressure) const
+      ends_under(const unsigned int i, const double pressure) const
       {
-        const double velocity =
-          touch(side) + side * law.penetration(pressure) / path.size;
-        return {velocity,
-                side > 0 ? front.end_of_pressure(pressure) :
-                           front_end(velocity),
-                side < 0 ? rear.end_of_pressure(pressure) : rear_end(velocity)};
-      }
-
-      Ends
-      at_touch(const int side) const
-      {
-        return ends_under(side, 0.);
-      }
-
-      Ends
-      ends_of(const StepContact &contact) const
-      {
-        return contact.end_pressure == 0. ?
-                 ends_at(contact.velocity) :
-                 ends_under(contact.end_pressure > 0. ? 1 : -1,
-                            std::abs(contact.end_pressure));
+        const StepObstacle &o    = obstacles[i];
+        Ends                ends = ends_at(o.touching_velocity() +
+                            o.sign * law.penetration(pressure) / path.size);
+        ends.at[i]               = o.end_of_pressure(pressure);
+        return ends;
       }
 
       double
-      mean(const Ends &ends, const Problem &problem) const
+      mean(const Ends &ends, const Weights &weights) const
       {
-        return front.mean(ends.front, problem.front_weight) -
-               (has_rear ? rear.mean(ends.rear, problem.rear_weight) : 0.);
+        double sum = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          sum += obstacles[i].sign * obstacles[i].mean(ends.at[i], weights[i]);
+        return sum;
       }
 
       /** Grows with w. */
       double
-      excess(const Ends &ends, const Problem &problem) const
+      excess(const Ends &ends, const Weights &weights) const
       {
-        return ends.velocity + path.response * mean(ends, problem) -
+        return ends.velocity + path.response * mean(ends, weights) -
                path.free_velocity;
       }
 
       StepContact
       finish(const Ends    &ends,
              const double   end_pressure,
-             const Problem &problem) const
+             const Weights &weights) const
       {
         StepContact contact;
         contact.velocity     = ends.velocity;
-        contact.pressure     = mean(ends, problem);
+        contact.pressure     = mean(ends, weights);
         contact.end_pressure = end_pressure;
-        contact.weight = std::max(problem.front_weight, problem.rear_weight);
-        contact.damping_power =
-          front.damping_power(ends.front, problem.front_weight) +
-          (has_rear ? rear.damping_power(ends.rear, problem.rear_weight) : 0.);
+        contact.weight       = std::max(weights[0], weights[1]);
+        for (unsigned int i = 0; i < n; ++i)
+          contact.damping_power +=
+            obstacles[i].damping_power(ends.at[i], weights[i]);
         return contact;
       }
 
       /** The node ends within an obstacle. */
       StepContact
-      closed(const int side, const Problem &problem) const
+      closed(const unsigned int i, const Weights &weights) const
       {
+        const int  sign   = obstacles[i].sign;
         const auto beyond = [&](const double pressure) {
-          return side * excess(ends_under(side, pressure), problem);
+          return sign * excess(ends_under(i, pressure), weights);
         };
         // that of a rigid obstacle
         const double rigid =
-          0. - excess(at_touch(side), problem) / path.response;
+          0. - excess(ends_under(i, 0.), weights) / path.response;
         if (law.is_rigid())
           {
             StepContact contact;
-            contact.velocity = touch(side);
+            contact.velocity = obstacles[i].touching_velocity();
             contact.pressure = contact.end_pressure = rigid;
             contact.weight                          = 1.;
             return contact;
@@ -271,30 +256,30 @@ namespace ThermoContact
         for (; beyond(high) < 0. && std::isfinite(high); high *= 4.)
           low = high;
         const double pressure = bracketed_root(beyond, low, high).first;
-        return finish(ends_under(side, pressure), side * pressure, problem);
+        return finish(ends_under(i, pressure), sign * pressure, weights);
       }
 
       /** The node ends at neither. */
       StepContact
-      open(const Problem &problem) const
+      open(const Weights &weights) const
       {
-        const double free     = path.free_velocity;
-        const auto   function = [&](const double velocity) {
-          return excess(ends_at(velocity), problem);
+        const auto function = [&](const double velocity) {
+          return excess(ends_at(velocity), weights);
         };
         // pushed by what it leaves, at most as at its surface
-        const double by_front =
-          path.response *
-          front.mean(front.end_of_pressure(0.), problem.front_weight);
-        const double by_rear =
-          has_rear ? path.response * rear.mean(rear.end_of_pressure(0.),
-                                               problem.rear_weight) :
-                     0.;
-        const double velocity =
-          by_front == 0. && by_rear == 0. ?
-            free :
-            bracketed_root(function, free - by_front, free + by_rear).first;
-        return finish(ends_at(velocity), 0., problem);
+        double low = path.free_velocity, high = low;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const StepObstacle &o = obstacles[i];
+            (o.sign > 0 ? low : high) -=
+              o.sign * path.response *
+              o.mean(o.end_of_pressure(0.), weights[i]);
+          }
+        return finish(ends_at(low == high ?
+                                low :
+                                bracketed_root(function, low, high).first),
+                      0.,
+                      weights);
       }
     };
   } // namespace

@@ -5,6 +5,7 @@
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/method/bracketed_root.h>
+#include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,10 +61,10 @@ namespace ThermoContact
             scene.material.thermal_stress *
             RestProfile(scene.heat.surroundings(), drop).mean();
           // where an obstacle and a body of stiffness 1 meet
-          NodeLaw law(*scene.contact.law);
-          law.play = scene.contact.gap + scene.contact.rear_gap;
-          state.contact_force =
-            law.resolve(expansion - scene.contact.gap, 1.).pressure;
+          double        free = expansion;
+          const NodeLaw law =
+            make_node_law(scene.contact, scene.contact.gap, free);
+          state.contact_force    = law.resolve(free, 1.).pressure;
           state.in_contact       = state.contact_force != 0.;
           state.displacement_end = expansion - state.contact_force;
         }
@@ -79,10 +80,11 @@ namespace ThermoContact
     double
     imbalance(const Scene &scene, const double drop)
     {
-      const SteadyState state = state_of_drop(scene, drop);
-      const double      u     = state.displacement_end;
-      const double      reach = // beyond the nearer obstacle
-        std::max(u - scene.contact.gap, -u - scene.contact.rear_gap);
+      const SteadyState state    = state_of_drop(scene, drop);
+      double            position = state.displacement_end;
+      const NodeLaw     law =
+        make_node_law(scene.contact, scene.contact.gap, position);
+      const double reach = law.penetration(position);
       const double k =
         scene.heat.exchange->coefficient(state.in_contact ? 0. : reach,
                                          std::abs(state.contact_force));

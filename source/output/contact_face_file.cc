@@ -81,12 +81,12 @@ namespace ThermoContact
 
   template <int dim>
   VtuCells<dim - 1, dim>
-  obstacle_shape(const ContactEnd<dim>       &end,
+  obstacle_shape(const Body<dim>             &body,
                  const OutputUnits           &units,
-                 const double                 rear_gap,
                  const dealii::Function<dim> *gap)
   {
-    std::vector<ContactNode<dim>> nodes(end.all_nodes());
+    std::vector<ContactNode<dim>> nodes(body.contact_end().all_nodes());
+    const double                  rear_gap = body.scene.contact.rear_gap;
     // those without weight, on an axis, stand behind the others
     if (dim == 2)
       std::sort(nodes.begin(),
@@ -125,13 +125,11 @@ namespace ThermoContact
   template VtuCells<2, 3>
   contact_face(const Body<3> &, const State &, const OutputUnits &);
   template VtuCells<1, 2>
-  obstacle_shape(const ContactEnd<2> &,
+  obstacle_shape(const Body<2> &,
                  const OutputUnits &,
-                 const double,
                  const dealii::Function<2> *);
   template VtuCells<2, 3>
-  obstacle_shape(const ContactEnd<3> &,
+  obstacle_shape(const Body<3> &,
                  const OutputUnits &,
-                 const double,
                  const dealii::Function<3> *);
 } // namespace ThermoContact

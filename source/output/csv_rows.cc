@@ -25,7 +25,7 @@ namespace ThermoContact
 
 
   CsvColumns<EventRow>
-  event_columns(const bool has_sides)
+  event_columns(const Scene &scene)
   {
     CsvColumns<EventRow> columns = {{"time", &ContactEvent::time},
                                     {"kind",
@@ -37,7 +37,7 @@ namespace ThermoContact
                                      }},
                                     {"velocity", &ContactEvent::velocity},
                                     {"duration", &EventRow::duration}};
-    if (has_sides)
+    if (scene.contact.is_two_sided())
       columns.emplace_back("side", [](const ContactEvent &event) {
         return event.side > 0 ? "front" : "rear";
       });

@@ -221,17 +221,14 @@ namespace ThermoContact
           if (is_writer && fault.empty())
             fault = write_atomically(path, cells.file());
         };
-        const double rear_gap = body.scene.contact.rear_gap;
         if (obstacle)
           {
             gap->set_time(state.time);
-            write(
-              obstacle->next_path(),
-              obstacle_shape(body.contact_end(), units, rear_gap, gap.get()));
+            write(obstacle->next_path(),
+                  obstacle_shape(body, units, gap.get()));
           }
         else if (times().empty() && !body.scene.contact.has_uniform_gap())
-          write(directory + "/obstacle.vtu",
-                obstacle_shape(body.contact_end(), units, rear_gap));
+          write(directory + "/obstacle.vtu", obstacle_shape(body, units));
         if (contact_face)
           {
             auto face        = ThermoContact::contact_face(body, state, units);

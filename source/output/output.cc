@@ -64,9 +64,7 @@ namespace ThermoContact
                     contact_columns(simulation.scene()),
                     units,
                     contact_file.name)
-    , events_file("events.csv",
-                  event_columns(simulation.scene().contact.is_two_sided()),
-                  units)
+    , events_file("events.csv", event_columns(simulation.scene()), units)
     , steps_file("steps.csv", attempt_columns(), units)
     , probes_file("probes.csv", probe_columns(probes.size()), units)
     , of_fields{parameters.fields_interval}

@@ -50,9 +50,9 @@ namespace ThermoContact
       double impact = nan, release = nan;
       for (const ContactEvent &event : history.events)
         if (event.kind == ContactEvent::end)
-          release = event.side * event.velocity;
+          release = event.velocity_into();
         else if (std::isnan(impact))
-          impact = event.side * event.velocity;
+          impact = event.velocity_into();
       // a body that stays has 0, not -0
       return impact > 0. ? 0. - release / impact : nan;
     }

@@ -27,7 +27,6 @@ namespace ThermoContact
     , left_exchange(scene.heat.left_exchange)
     , left(scene.parameters.boundary.left)
     , right(scene.parameters.boundary.right)
-    , rear_gap(scene.contact.rear_gap)
     , gap(scene.contact.gap)
   {
     if (scene.contact.law->is_active() &&
@@ -77,10 +76,10 @@ namespace ThermoContact
     members(const SpatialScene &all)
     {
       const auto
-        &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w] =
+        &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v] =
           all;
       const auto others =
-        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, u, v, w);
+        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, u, v);
       return std::tuple_cat(
         members(a), members(b), members(c), members(s), members(t), others);
     }

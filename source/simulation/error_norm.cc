@@ -42,22 +42,37 @@ namespace ThermoContact
 
 
 
-  double
-  ErrorNorm::operator()(const EnergyTerms &error,
-                        const EnergyTerms &energy,
-                        const double       rigid_displacement)
+  bool
+  ErrorNorm::is_rounding(const EnergyTerms &energy,
+                         const double       rigid_displacement) const
   {
-    const bool is_rounding =
-      std::max(
-        {max_mechanical, first_mechanical, energy.elastic, energy.kinetic}) <=
-      Tolerances::rounding_of_sum * rigid_displacement * rigid_displacement;
+    return mechanical_energy(energy) <= Tolerances::rounding_of_sum *
+                                          rigid_displacement *
+                                          rigid_displacement;
+  }
+
+
+
+  void
+  ErrorNorm::note_attempt(const EnergyTerms &energy,
+                          const double       rigid_displacement)
+  {
     // Without a scale of its own the error of a load that starts like a power
     // of t has the same relative size for every step.
     if (first_thermal == 0. && std::isfinite(energy.thermal))
       first_thermal = energy.thermal;
-    if (first_mechanical == 0. && !is_rounding &&
+    if (first_mechanical == 0. && !is_rounding(energy, rigid_displacement) &&
         std::isfinite(energy.elastic + energy.kinetic))
       first_mechanical = std::max(energy.elastic, energy.kinetic);
+  }
+
+
+
+  double
+  ErrorNorm::operator()(const EnergyTerms &error,
+                        const EnergyTerms &energy,
+                        const double       rigid_displacement) const
+  {
     const double mechanical = mechanical_energy(energy);
     const auto   ratio      = [](const double part, const double whole) {
       return part == 0. ? 0. : part / whole;
@@ -66,8 +81,10 @@ namespace ThermoContact
       0.5 *
       std::pow(Tolerances::strains_of_errors * accuracy * rigid_displacement,
                2);
-    const double elastic_error =
-      is_rounding && error.elastic <= smallest_elastic ? 0. : error.elastic;
+    const double elastic_error = is_rounding(energy, rigid_displacement) &&
+                                     error.elastic <= smallest_elastic ?
+                                   0. :
+                                   error.elastic;
     const double thermal =
       std::max({max_thermal == 0. ? first_thermal : max_thermal,
                 energy.thermal,

@@ -117,11 +117,11 @@ namespace ThermoContact
 
 
 
-    /** The entry of the gap on a side, with what it says. */
+    /** The entry of the gap before an obstacle, with what it says. */
     std::string
-    entry_of_gap(const Scene &scene, const int side)
+    entry_of_gap(const Scene &scene, const bool is_behind)
     {
-      if (side < 0)
+      if (is_behind)
         return "Contact/Rear gap = " +
                words_of_length(scene, scene.contact.rear_gap);
       return "Contact/Gap" +
@@ -166,14 +166,15 @@ namespace ThermoContact
           const ContactNode<dim> &node = body.contact_end().nodes()[i];
           const double            given =
             body.data.initial_fields->value(node.position, component);
-          double &projected = state.displacement.begin()[entry];
-          for (const int side : {1, -1})
-            {
-              const double place = obstacle_at(body, state.gap, i, side);
-              if (are_one(given, place) || (side * (place - given) > 0. &&
-                                            side * (place - projected) < 0.))
-                projected = place;
-            }
+          double       &projected = state.displacement.begin()[entry];
+          double        position  = given;
+          const NodeLaw law =
+            make_node_law(body.scene.contact, state.gap[i], position);
+          const double place = touching_displacement(body, law, state.gap[i]);
+          if (are_one(given, place) ||
+              (law.penetration(position) < 0. &&
+               law.penetration(projected - place) > 0.))
+            projected = place;
         }
     }
 
@@ -186,9 +187,9 @@ namespace ThermoContact
     {
       const double smallest =
         *std::min_element(state.gap.begin(), state.gap.end());
-      if (smallest + body.scene.contact.rear_gap > 0.)
+      if (!body.scene.contact.stops_overlap(smallest))
         return;
-      throw InputError(entry_of_gap(body.scene, -1) + "\n  allowed: above " +
+      throw InputError(entry_of_gap(body.scene, true) + "\n  allowed: above " +
                        words_of_length(body.scene, -smallest) +
                        ", minus the smallest Contact/Gap\n  remedy:  a larger "
                        "one: the stops overlap");
@@ -206,19 +207,19 @@ namespace ThermoContact
       const Scene &scene = body.scene;
       if (!scene.contact.law->is_rigid() || scene.material.is_static())
         return; // what is static is in equilibrium with the obstacle
-      const ContactEnd<dim> &end = body.contact_end();
-      const QuantityUnits    units(scene.parameters);
-      const double           prescribed_time =
+      const QuantityUnits units(scene.parameters);
+      const double        prescribed_time =
         scene.has_prescribed_start && scene.parameters.time.end_time > 0. ?
-                    first_step_size :
-                    0.;
-      std::vector<double> displacement, penetration, velocity;
-      end.get_values(Field::displacement, state.displacement, displacement);
-      for (const int side : {1, -1})
+                 first_step_size :
+                 0.;
+      ContactValues values;
+      get_contact_values(body, state, values);
+      const std::vector<double> &displacement = values.displacement;
+      for (const auto *obstacle : {&values.front, &values.rear})
         {
-          const std::string entry = entry_of_gap(scene, side) + ": the ";
-          end.get_penetrations(state, side, penetration);
-          end.get_velocities_into(state, side, velocity);
+          const std::vector<double> &penetration = obstacle->penetration;
+          const std::string          entry =
+            entry_of_gap(scene, obstacle == &values.rear) + ": the ";
           const unsigned int deepest =
             std::max_element(penetration.begin(), penetration.end()) -
             penetration.begin();
@@ -233,11 +234,11 @@ namespace ThermoContact
               " penetrates the rigid obstacle\n  remedy:  a larger gap, another "
               "Initial values/Displacement, or Contact/Condition = normal "
               "compliance");
-          for (unsigned int i = 0; i < velocity.size(); ++i)
-            if (const double way = prescribed_time * velocity[i];
-                penetration[i] + way > 0. &&
-                !are_one(displacement[i] + side * way,
-                         obstacle_at(body, state.gap, i, side)))
+          for (unsigned int i = 0; i < penetration.size(); ++i)
+            if (const double way = prescribed_time * obstacle->velocity[i];
+                penetration[i] + way >
+                Tolerances::rounding_of_data *
+                  (std::abs(displacement[i]) + std::abs(way)))
               throw InputError(
                 entry + "prescribed first step of the paper would penetrate "
                         "the rigid obstacle\n  remedy:  Time/Start = "
@@ -270,7 +271,7 @@ namespace ThermoContact
                                     displacement);
       const QuantityUnits units(body.scene.parameters);
       warnings.push_back(text(
-        entry_of_gap(body.scene, 1),
+        entry_of_gap(body.scene, false),
         ": ",
         gap < 0. ? "negative, the undeformed body overlaps the obstacle "
                    "(preload)" :

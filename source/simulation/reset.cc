@@ -7,7 +7,6 @@
 #include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace ThermoContact
 {
@@ -360,8 +359,7 @@ namespace ThermoContact
     std::vector<double> rate_load;
     end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
     for (unsigned int i = 0; i < p.size(); ++i)
-      if (end.side_of(p[i] * node_laws[i].side) < 0)
-        node_laws[i].side = -node_laws[i].side; // it has gone to the other side
+      node_laws[i].face_pressure(p[i]); // it may have gone to the other side
     const std::vector<double> acceleration =
       static_nodes->solve_rates(rate_load,
                                 relative_velocities(state, node_laws),
@@ -391,8 +389,7 @@ namespace ThermoContact
         make_node_equilibrium(body, body.scene.material.viscosity, counters_);
     get_velocity_laws(body, state, is_closed, node_laws);
     for (unsigned int i = 0; i < p.size(); ++i)
-      if (!is_closed[i] || node_laws[i].side * p[i] <= 0.)
-        p[i] = 0.;
+      p[i] = is_closed[i] ? node_laws[i].without_pull(p[i]) : 0.;
     const std::vector<double> change =
       viscous_nodes->solve(node_forces(state, &state.velocity),
                            node_laws,
@@ -514,60 +511,6 @@ namespace ThermoContact
 
   namespace
   {
-    /**
-     * True if a load jumps: if what it changes from one time to the next is no
-     * part of what it changes around; not beyond the end time, where the jumps
-     * of another run may be.
-     *
-     * @param load_at(time, load) has the load at a time
-     * @param load memory of its layout
-     */
-    template <class LoadAt>
-    bool
-    is_discontinuous(const LoadBreak &at,
-                     const double     end_time,
-                     const LoadAt    &load_at,
-                     const Vector    &load)
-    {
-      Vector       sides[2] = {load, load}, around[2] = {load, load};
-      const double width = std::max(Tolerances::same_time * at.new_time,
-                                    std::numeric_limits<double>::min());
-      load_at(at.old_time, sides[0]);
-      load_at(at.new_time, sides[1]);
-      load_at(std::max(at.old_time - width, 0.), around[0]);
-      load_at(std::min(at.new_time + width, std::max(at.new_time, end_time)),
-              around[1]);
-      const double size =
-        std::max(sides[0].linfty_norm(), sides[1].linfty_norm());
-      sides[1] -= sides[0];
-      around[1] -= around[0];
-      const double change = sides[1].linfty_norm();
-      return change > Tolerances::rounding_of_solution * size &&
-             change > 0.5 * around[1].linfty_norm();
-    }
-
-
-
-    /** True if the temperature of the fixed end jumps. */
-    template <int dim>
-    bool
-    fixed_end_jumps(const Body<dim> &body, const LoadBreak *const at)
-    {
-      if (at == nullptr || !at->is_jump ||
-          !body.scene.sources.has_driven_temperature)
-        return false;
-      const TimeFunction &drive    = *body.scene.heat.fixed_end_drive;
-      const auto          value_at = [&](const double time, Vector &value) {
-        value = drive.value(time);
-      };
-      return is_discontinuous(*at,
-                              body.scene.parameters.time.end_time,
-                              value_at,
-                              Vector(1));
-    }
-
-
-
     /** True if the fixed end has another temperature in @p state. */
     template <int dim>
     bool
@@ -606,14 +549,7 @@ namespace ThermoContact
                                  const LoadBreak         &at,
                                  StepResult              &result)
   {
-    const auto load_at = [this](const double time, Vector &load) {
-      load = momentum_load(time);
-    };
-    const bool moves =
-      moves_at_once() && is_discontinuous(at,
-                                          body.scene.parameters.time.end_time,
-                                          load_at,
-                                          result.state.displacement);
+    const bool moves = moves_at_once() && (at.jumping & force) != 0;
     if (moves)
       move_at_once(solver, is_closed, 0., result);
     return moves;
@@ -633,7 +569,8 @@ namespace ThermoContact
     const bool       starts =
       state.time == 0. &&
       fixed_end_differs(body, heat.fixed_end_temperature, state);
-    const bool jumps = fixed_end_jumps(body, at);
+    const bool jumps =
+      at != nullptr && (at->jumping & fixed_end_temperature) != 0;
     if (starts)
       set_temperature_of_fixed_end(heat.fixed_end_temperature, state);
     const double work =
@@ -709,6 +646,24 @@ namespace ThermoContact
 
   template <int dim>
   void
+  Reset<dim>::complete_step(const ContactMode mode, StepResult &result)
+  {
+    if (!body.obstacle.is_active() || !body.scene.contact.has_impacts())
+      return;
+    // impacts take the velocity of the obstacle, not that of the last stage
+    body.obstacle.set_rates(result.state.time, result.state);
+    if (mode != ContactMode::closed)
+      return;
+    put_on_obstacle(body, result.state); // where they are but for rounding
+    // the audit of a scheme of first order has the pressure of its stage
+    if (!body.scene.sources.has_moving_end && body.scene.scheme.order > 1)
+      set_pressures_of_acceleration(result.state);
+  }
+
+
+
+  template <int dim>
+  void
   Reset<dim>::set_pressures_of_acceleration(State &state)
   {
     const Vector r =
@@ -719,7 +674,7 @@ namespace ThermoContact
     std::vector<TimeDerivatives> obstacle;
     body.obstacle.get_derivatives(state.load_time, obstacle);
     for (unsigned int i = 0; i < obstacle.size(); ++i)
-      relative.push_back(laws[i].side > 0 ? -obstacle[i].second : 0.);
+      relative.push_back(0. - laws[i].of_local(obstacle[i].second));
     inertia->solve(
       &r, laws, relative, 1., acceleration, state.contact_pressure);
     ++counters_.solves;
@@ -751,18 +706,18 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  Reset<dim>::remove_pull(const int held_at, State &state) const
+  Reset<dim>::remove_pull(const std::optional<int> held_at, State &state) const
   {
     get_node_laws(body, state, node_laws, node_positions);
     bool changed = false;
     for (unsigned int i = 0; i < node_laws.size(); ++i)
       {
         double &p = state.contact_pressure[i];
-        if ((held_at != 0 ? held_at : node_laws[i].side) * p < 0.)
-          {
-            p       = 0.;
-            changed = true;
-          }
+        if (held_at)
+          node_laws[i].face(*held_at, 0.);
+        const double push = node_laws[i].without_pull(p);
+        changed |= push != p;
+        p = push;
       }
     return changed;
   }
@@ -777,8 +732,10 @@ namespace ThermoContact
   {
     const bool is_event = finding.kind == EventLocator::Finding::at_end;
     State     &state    = result.state;
-    bool       changed =
-      remove_pull(mode == ContactMode::closed ? finding.side : 0, state);
+    bool       changed  = remove_pull(mode == ContactMode::closed ?
+                                 std::optional<int>(finding.obstacle) :
+                                 std::nullopt,
+                               state);
     double work = 0.;
     if (is_event && body.scene.contact.is_in_equilibrium() &&
         body.law().damping() == 0.) // else velocities carry pressure, too

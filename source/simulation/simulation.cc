@@ -182,15 +182,40 @@ namespace ThermoContact
       const StopWatch   watch(attempt.wall_seconds);
       const ContactMode mode   = tracker.mode();
       const LoadBreak  *passed = nullptr;
-      attempt.reason           = judge(time_step, attempt.error);
-      if (attempt.reason.empty())
+      compute_step(time_step);
+      const Verdict verdict = judge(time_step);
+      attempt.error         = verdict.error;
+      switch (verdict.kind)
         {
-          controller.accept(time_step, attempt.error);
-          passed              = commit(time_step);
-          attempt.reason      = name_of(time_step.target);
-          attempt.is_accepted = true;
+          case Verdict::failed:
+            break;
+          case Verdict::inaccurate:
+            attempt.reason = rejected_by_tolerance;
+            controller.reject(time_step, verdict.error, result.order);
+            break;
+          case Verdict::contact_changes:
+            attempt.reason = "contact";
+            together([&]() {
+              if (const std::optional<double> end = tracker.prepare(
+                    verdict.finding, state_, record().energy_terms))
+                controller.aim_at(*end);
+            });
+            break;
+          case Verdict::accept:
+            attempt.reason      = name_of(time_step.target);
+            passed              = commit(verdict.finding);
+            attempt.is_accepted = result.failure.empty();
+            if (attempt.is_accepted)
+              controller.accept(time_step, verdict.error, result.order);
         }
-      restart_controller(mode, passed);
+      if (result.failure.empty())
+        restart_controller(mode, passed);
+      else
+        {
+          attempt.reason = "failed";
+          if (!controller.retry_smaller(time_step))
+            give_up(time_step, result.failure);
+        }
     }
     history_.attempts.push_back(attempt);
     if (attempt.is_accepted)
@@ -227,36 +252,25 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::string
-  Simulation<dim>::judge(const TimeStep &time_step, double &error)
+  typename Simulation<dim>::Verdict
+  Simulation<dim>::judge(const TimeStep &time_step) const
   {
-    compute_step(time_step);
+    Verdict verdict;
     if (!result.failure.empty())
-      {
-        if (!controller.retry_smaller(time_step))
-          give_up(time_step, result.failure);
-        return "failed";
-      }
-    error = relative_error();
-    if (!controller.is_accurate(time_step, error))
-      {
-        controller.reject(time_step, error);
-        return rejected_by_tolerance;
-      }
-    ContactVerdict verdict;
-    together([&]() {
-      verdict = tracker.judge(time_step,
-                              result,
-                              state_,
-                              record().energy_terms,
-                              is_prescribed_step(),
-                              error_norm.mechanical_energy(result.energy));
-    });
-    if (!result.failure.empty())
-      give_up(time_step, result.failure); // an event of shorter steps as well
-    if (verdict.kind == ContactVerdict::to_time)
-      controller.aim_at(verdict.time);
-    return verdict.kind == ContactVerdict::accept ? "" : "contact";
+      return verdict;
+    verdict.error = relative_error();
+    verdict.kind  = Verdict::inaccurate;
+    if (!controller.is_accurate(time_step, verdict.error))
+      return verdict;
+    verdict.finding =
+      tracker.judge(time_step,
+                    result,
+                    error_norm.mechanical_energy(result.energy));
+    verdict.kind = verdict.finding.kind == EventLocator::Finding::at_start ||
+                       verdict.finding.kind == EventLocator::Finding::within ?
+                     Verdict::contact_changes :
+                     Verdict::accept;
+    return verdict;
   }
 
 
@@ -336,7 +350,7 @@ namespace ThermoContact
       result.state.load_time = time_step.last_loads;
       result.state.jump_time = start.jump_time; // no stage moves it at once
       if (result.failure.empty())
-        tracker.complete(result);
+        reset.complete_step(tracker.mode(), result);
       if (result.failure.empty() &&
           !std::isfinite(result.energy.sum() + result.work +
                          result.dissipation))
@@ -344,6 +358,8 @@ namespace ThermoContact
                          "initial values and sources, or a smaller Time/Step "
                          "size";
     });
+    if (result.failure.empty() && parameters().time.has_error_control())
+      error_norm.note_attempt(result.energy, rigid_displacement());
     take_warnings();
   }
 
@@ -363,7 +379,18 @@ namespace ThermoContact
 
   template <int dim>
   double
-  Simulation<dim>::relative_error()
+  Simulation<dim>::rigid_displacement() const
+  {
+    return scene_.sources.has_moving_end ?
+             result.state.displacement.linfty_norm() :
+             0.;
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::relative_error() const
   {
     const TimeParameters &time = parameters().time;
     if (!time.has_error_control())
@@ -373,10 +400,7 @@ namespace ThermoContact
         tracker.mode() == ContactMode::unilateral &&
         result.n_iterations > 0) // a node was pushed back in some stage
       error.kinetic = 0.;
-    const double rigid_displacement =
-      scene_.sources.has_moving_end ? result.state.displacement.linfty_norm() :
-                                      0.;
-    return error_norm(error, result.energy, rigid_displacement) /
+    return error_norm(error, result.energy, rigid_displacement()) /
            time.tolerance;
   }
 
@@ -384,14 +408,16 @@ namespace ThermoContact
 
   template <int dim>
   const LoadBreak *
-  Simulation<dim>::commit(const TimeStep &time_step)
+  Simulation<dim>::commit(const EventLocator::Finding &finding)
   {
-    together([&]() { tracker.accept(result, history_.events); });
+    together([&]() { tracker.accept(finding, result, history_.events); });
     const LoadBreak *const passed =
       result.failure.empty() ? pass_break() : nullptr;
     take_warnings();
-    if (!result.failure.empty())
-      give_up(time_step, result.failure);
+    if (result.failure.empty())
+      tracker.confirm();
+    else
+      tracker.take_back(history_.events);
     return passed;
   }
 
@@ -405,7 +431,6 @@ namespace ThermoContact
     const LoadBreak *at   = controller.followed_loads().break_at(time);
     if (at == nullptr)
       return nullptr;
-    passed_break           = time;
     result.state.load_time = at->new_time;
     together([&]() {
       if (body_.obstacle.is_active())
@@ -416,7 +441,9 @@ namespace ThermoContact
                                                   result))
         tracker.jump(result.state, history_.events);
     });
-    if (!result.failure.empty())
+    if (result.failure.empty())
+      passed_break = time;
+    else
       result.failure = text("inputs have a discontinuity at t = ",
                             QuantityUnits(parameters()).text("time", time),
                             ": ",

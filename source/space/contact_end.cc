@@ -134,10 +134,8 @@ namespace ThermoContact
 
   template <int dim>
   ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization,
-                              const Function<dim>       &gap,
-                              const double               rear_gap)
-    : rear_gap(rear_gap)
-    , communicator(discretization.communicator())
+                              const Function<dim>       &gap)
+    : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
     , all_nodes_(find_nodes(discretization, gap))
     , nodes_(all_nodes_)
@@ -233,32 +231,6 @@ namespace ThermoContact
   {
     values.assign(n_all_nodes(), 0.);
     gather(all_entries_[field], vector, values);
-  }
-
-
-
-  template <int dim>
-  void
-  ContactEnd<dim>::get_penetrations(const State         &state,
-                                    const int            side,
-                                    std::vector<double> &penetrations) const
-  {
-    get_values(Field::displacement, state.displacement, penetrations);
-    for (unsigned int i = 0; i < n_nodes(); ++i)
-      penetrations[i] = penetration(state, i, side, penetrations[i]);
-  }
-
-
-
-  template <int dim>
-  void
-  ContactEnd<dim>::get_velocities_into(const State         &state,
-                                       const int            side,
-                                       std::vector<double> &velocities) const
-  {
-    get_values(Field::displacement, state.velocity, velocities);
-    for (unsigned int i = 0; i < n_nodes(); ++i)
-      velocities[i] = velocity_into(state, i, side, velocities[i]);
   }
 
 

@@ -57,9 +57,7 @@ namespace ThermoContact
     if (dim > 1)
       add_ghosts_of_cells();
     contact_end_ =
-      std::make_unique<const ContactEnd<dim>>(*this,
-                                              *contact_gap<dim>(scene),
-                                              scene.rear_gap);
+      std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
   }
 
 

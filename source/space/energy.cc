@@ -4,6 +4,7 @@
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/energy.h>
+#include <thermocontact/space/node_laws.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,8 @@ namespace ThermoContact
     : discretization(discretization)
     , stage_operator(stage_operator)
     , loads(loads)
-    , law(*scene.contact.law)
+    , contact(scene.contact)
+    , law(*contact.law)
     , material(scene.material)
     , heat(scene.heat)
     , has_work_(scene.has_work())
@@ -296,42 +298,6 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    /** Factors (1 + c v) by which a pressure is divided without loss. */
-    constexpr double smallest_factor = 0.5;
-
-
-
-    /**
-     * $\varphi(s)$ at a node with the pressure $p = \varphi(s)\,[1+c\,v]_+$,
-     * (M4.2), into the local obstacle. At a hard obstacle s has few digits, and
-     * $p-\varphi(s)$ would have none: then it is $p/(1+c\,v)$. A node that goes
-     * in without a pressure does not know of the obstacle yet, in a step that
-     * is held open and misses the begin of contact by s: zero.
-     *
-     * @param rounding of s
-     */
-    double
-    elastic_part(const ContactLaw &law,
-                 const double      pressure,
-                 const double      s,
-                 const double      v,
-                 const double      rounding)
-    {
-      const double of_law = law.pressure(s);
-      const double factor = 1. + law.damping() * v;
-      if (factor < smallest_factor)
-        return of_law;
-      if (pressure == 0.)
-        return v > 0. ? 0. : of_law;
-      const double value = pressure / factor;
-      return std::abs(law.penetration(value) - s) <= rounding ? value : of_law;
-    }
-  } // namespace
-
-
-
   template <int dim>
   const std::vector<double> &
   Energy<dim>::elastic_pressures(const State         &state,
@@ -340,21 +306,20 @@ namespace ThermoContact
     if (law.damping() == 0.)
       return state.contact_pressure;
     const ContactEnd<dim> &end = discretization.contact_end();
-    end.get_values(Field::displacement, state.displacement, scratch);
     end.get_values(Field::displacement, state.velocity, end_velocity);
-    const double size   = state.displacement.linfty_norm();
-    const auto   stored = [&](const unsigned int i, const int side) {
-      const double s = end.penetration(state, i, side, scratch[i]);
-      if (material.is_static()) // velocities of what moves at once say nothing
-        return law.pressure(s);
-      return elastic_part(law,
-                          std::max(side * state.contact_pressure[i], 0.),
-                          s,
-                          end.velocity_into(state, i, side, end_velocity[i]),
-                          Tolerances::rounding_of_penetration * size);
-    };
-    for (unsigned int i = 0; i < scratch.size(); ++i)
-      scratch[i] = stored(i, 1) - stored(i, -1);
+    get_node_laws(contact, end, state, laws, position);
+    const double rounding =
+      Tolerances::rounding_of_penetration * state.displacement.linfty_norm();
+    scratch.resize(laws.size());
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      scratch[i] =
+        // velocities of what moves at once say nothing
+        material.is_static() ?
+          laws[i].elastic_pressure(position[i]) :
+          laws[i].elastic_pressure(position[i],
+                                   end_velocity[i],
+                                   state.contact_pressure[i],
+                                   rounding);
     return scratch;
   }
 
@@ -366,15 +331,13 @@ namespace ThermoContact
   {
     if (law.damping() == 0.)
       return 0.;
-    const ContactEnd<dim>     &end     = discretization.contact_end();
     const std::vector<double> &elastic = elastic_pressures(state, end_pressure);
     double                     rate    = 0.;
     for (unsigned int i = 0; i < elastic.size(); ++i)
       {
-        const double p    = state.contact_pressure[i];
-        const int    side = end.side_of(std::min(p, elastic[i]));
-        rate += end.share(i) * (p - elastic[i]) * side *
-                end.velocity_into(state, i, side, end_velocity[i]);
+        const double p = state.contact_pressure[i];
+        rate += discretization.contact_end().share(i) * (p - elastic[i]) *
+                (end_velocity[i] - laws[i].rate_under(std::min(p, elastic[i])));
       }
     return rate;
   }
@@ -385,12 +348,14 @@ namespace ThermoContact
   double
   Energy<dim>::obstacle_power(const State &state) const
   {
-    const ContactEnd<dim> &end   = discretization.contact_end();
-    double                 power = 0.;
-    for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
-      if (const double p = state.contact_pressure[i];
-          end.side_of(p) > 0) // the obstacle behind rests
-        power -= end.share(i) * p * state.gap_rate[i];
+    const ContactEnd<dim> &end = discretization.contact_end();
+    get_node_laws(contact, end, state, laws, position);
+    double power = 0.;
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      {
+        const double p = state.contact_pressure[i];
+        power -= end.share(i) * p * laws[i].rate_under(p);
+      }
     return power;
   }
 
@@ -406,23 +371,20 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    old_state.displacement,
                    old_end_displacement);
-    const std::vector<double> &old_pressure =
-      elastic_pressures(old_state, old_end_pressure);
     const std::vector<double> &pressure =
       elastic_pressures(state, end_pressure);
+    const std::vector<double> &old_pressure =
+      elastic_pressures(old_state, old_end_pressure);
+    get_node_laws(contact, end, old_state, laws, position);
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
-      {
-        const int    side   = end.side_of(pressure[i]);
-        const double change = end_displacement[i] - old_end_displacement[i];
-        sum +=
-          end.share(i) *
-          law.numerical_dissipation(
-            side > 0 ? change - (state.gap[i] - old_state.gap[i]) : -change,
-            end.penetration(old_state, i, side, old_end_displacement[i]),
-            side * old_pressure[i],
-            side * pressure[i]);
-      }
+      sum += end.share(i) *
+             laws[i].numerical_dissipation(position[i],
+                                           end_displacement[i] -
+                                             old_end_displacement[i],
+                                           state.gap[i] - old_state.gap[i],
+                                           old_pressure[i],
+                                           pressure[i]);
     return sum;
   }
 

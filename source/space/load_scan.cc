@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,8 @@ namespace ThermoContact
 
       /** Nodes have it for their value. */
       bool is_dirichlet = false;
+
+      LoadKind kind = other_load;
 
       const Expression &
       expression() const
@@ -82,26 +85,32 @@ namespace ThermoContact
       const auto        add = [&](const Expression           &expression,
                            const std::optional<double> end,
                            const std::string          &no_jump      = "",
-                           const bool                  is_dirichlet = false) {
+                           const bool                  is_dirichlet = false,
+                           const LoadKind              kind = other_load) {
         if (expression.depends_on("t"))
           loads.push_back(
-            {at_places(expression, end, scene), no_jump, is_dirichlet});
+            {at_places(expression, end, scene), no_jump, is_dirichlet, kind});
       };
       const auto add_source = [&](const ExpressionFunction<dim> *const source,
-                                  const std::optional<double>          end) {
+                                  const std::optional<double>          end,
+                                  const LoadKind kind = other_load) {
         if (source != nullptr)
           for (const Expression &component : source->components())
-            add(component, end);
+            add(component, end, "", false, kind);
       };
       add_source(data.heat_source.get(), std::nullopt);
-      add_source(data.body_force.get(), std::nullopt);
-      add_source(data.end_traction.get(), 1.);
+      add_source(data.body_force.get(), std::nullopt, force);
+      add_source(data.end_traction.get(), 1., force);
       add_source(data.end_heat_flux.get(), 1.);
-      add_source(data.left_traction.get(), 0.);
+      add_source(data.left_traction.get(), 0., force);
       add_source(data.left_heat_flux.get(), 0.);
       add_source(data.obstacle_warming.get(), 1.);
       if (scene.sources.has_driven_temperature)
-        add(scene.heat.fixed_end_drive->expression, 0., "", true);
+        add(scene.heat.fixed_end_drive->expression,
+            0.,
+            "",
+            true,
+            fixed_end_temperature);
       if (scene.sources.has_moving_end)
         add(scene.fixed_end_motion->expression,
             0.,
@@ -199,6 +208,32 @@ namespace ThermoContact
 
 
 
+    /**
+     * True if a load jumps: if what it changes from one side of a break to the
+     * other is no part of what it changes around; not beyond the end time,
+     * where the jumps of another run may be.
+     */
+    bool
+    jumps_at(const LoadBreak &at, const Load &load, const double end_time)
+    {
+      const double width = std::max(Tolerances::same_time * at.new_time,
+                                    std::numeric_limits<double>::min());
+      const double first = std::max(at.old_time - width, 0.);
+      const double last =
+        std::min(at.new_time + width, std::max(at.new_time, end_time));
+      const auto jumps = [&](const TimeFunction &f) {
+        const double before = f.value(at.old_time),
+                     behind = f.value(at.new_time);
+        const double change = std::abs(behind - before);
+        return change > Tolerances::rounding_of_solution *
+                          std::max(std::abs(before), std::abs(behind)) &&
+               change > 0.5 * std::abs(f.value(last) - f.value(first));
+      };
+      return std::any_of(load.at_places.begin(), load.at_places.end(), jumps);
+    }
+
+
+
     /** How far its values are apart in a span of time. */
     double
     range_of(const Load &load, const double begin, const double end)
@@ -281,6 +316,11 @@ namespace ThermoContact
                               " and has no effect"));
     history.add_breaks(reached);
     history.end_at(time.end_time);
+    for (const Load &load : loads)
+      if (load.kind != other_load)
+        for (LoadBreak &at : history.breaks)
+          if (at.is_jump && jumps_at(at, load, time.end_time))
+            at.jumping |= load.kind;
     return history;
   }
 

@@ -4,43 +4,49 @@
 
 namespace ThermoContact
 {
-  template <int dim>
+  NodeLaw
+  make_node_law(const SceneContact &contact, const double gap, double &position)
+  {
+    const double u = position;
+    NodeLaw      law(*contact.law);
+    law.play = gap + contact.rear_gap;
+    position = u - gap;
+    if (law.nearer_side(position) < 0)
+      {
+        law.side = -1;
+        position = u + contact.rear_gap;
+      }
+    return law;
+  }
+
+
+
   void
-  get_node_laws(const Body<dim>           &body,
+  get_node_laws(const SceneContact        &contact,
                 const std::vector<double> &gap,
                 const std::vector<double> &displacement,
                 std::vector<NodeLaw>      &laws,
                 std::vector<double>       &position)
   {
-    const double rear_gap = body.scene.contact.rear_gap;
-    laws.assign(gap.size(), NodeLaw(body.law()));
-    position.resize(gap.size());
+    laws.resize(gap.size());
+    position = displacement;
     for (unsigned int i = 0; i < gap.size(); ++i)
-      {
-        const double u = displacement[i]; // may be position[i]
-        position[i]    = u - gap[i];
-        laws[i].play   = gap[i] + rear_gap;
-        if (laws[i].nearer_side(position[i]) > 0)
-          continue;
-        laws[i].side = -1;
-        position[i]  = u + rear_gap;
-      }
+      laws[i] = make_node_law(contact, gap[i], position[i]);
   }
 
 
 
   template <int dim>
   void
-  get_node_laws(const Body<dim>      &body,
-                const State          &state,
-                std::vector<NodeLaw> &laws,
-                std::vector<double>  &position)
+  get_node_laws(const SceneContact    &contact,
+                const ContactEnd<dim> &end,
+                const State           &state,
+                std::vector<NodeLaw>  &laws,
+                std::vector<double>   &position)
   {
     std::vector<double> &displacement = position; // so far
-    body.contact_end().get_values(Field::displacement,
-                                  state.displacement,
-                                  displacement);
-    get_node_laws(body, state.gap, displacement, laws, position);
+    end.get_values(Field::displacement, state.displacement, displacement);
+    get_node_laws(contact, state.gap, displacement, laws, position);
     for (unsigned int i = 0; i < state.gap_rate.size(); ++i)
       laws[i].front_rate = state.gap_rate[i];
     for (unsigned int i = 0; i < state.known_penetration.size(); ++i)
@@ -65,8 +71,8 @@ namespace ThermoContact
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
         NodeLaw &law = laws[i];
-        if (!held_at.empty() && held_at[i] != law.side)
-          start[i] = law.change_side(start[i]);
+        if (!held_at.empty())
+          start[i] = law.face(held_at[i], start[i]);
         law.is_held = mode == ContactMode::closed;
         if (mode == ContactMode::open)
           law.law = nullptr;
@@ -103,13 +109,78 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  obstacle_at(const Body<dim>           &body,
-              const std::vector<double> &gap,
-              const unsigned int         node,
-              const int                  side)
+  void
+  get_held_at(const Body<dim> &body, const State &state, std::vector<int> &at)
   {
-    return side > 0 ? gap[node] : -body.scene.contact.rear_gap;
+    at.clear();
+    if (!body.scene.contact.is_two_sided())
+      return;
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
+    for (const NodeLaw &law : laws)
+      at.push_back(law.side);
+  }
+
+
+
+  bool
+  follow_motion(const std::vector<int> &held_at)
+  {
+    return held_at.empty() || held_at.front() > 0;
+  }
+
+
+
+  template <int dim>
+  void
+  get_contact_values(const Body<dim> &body,
+                     const State     &state,
+                     ContactValues   &values)
+  {
+    const SceneContact    &contact = body.scene.contact;
+    const ContactEnd<dim> &end     = body.contact_end();
+    const unsigned int     n       = end.n_nodes();
+    ContactValues::Side   &front = values.front, &rear = values.rear;
+    values.time = state.time;
+    end.get_values(Field::displacement,
+                   state.displacement,
+                   values.displacement);
+    end.get_values(Field::displacement, state.velocity, front.velocity);
+    front.penetration.resize(n);
+    rear.penetration.resize(n);
+    rear.velocity.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double u       = values.displacement[i];
+        rear.velocity[i]     = -front.velocity[i]; // it rests
+        rear.penetration[i]  = -u - contact.rear_gap;
+        front.velocity[i]    = front.velocity[i] - state.gap_rate[i];
+        front.penetration[i] = state.known_penetration.empty() ?
+                                 u - state.gap[i] :
+                                 state.known_penetration[i];
+      }
+    values.pressure = state.contact_pressure;
+    // a damped obstacle is left where the penetration ends
+    if (contact.law->damping() == 0.)
+      return;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double        position = values.displacement[i];
+        const NodeLaw law      = make_node_law(contact, state.gap[i], position);
+        values.pressure[i]     = law.continued_pressure(position);
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  touching_displacement(const Body<dim> &body,
+                        const NodeLaw   &law,
+                        const double     gap)
+  {
+    return law.side > 0 ? gap : -body.scene.contact.rear_gap;
   }
 
 
@@ -124,7 +195,7 @@ namespace ThermoContact
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
       state.displacement.begin()[entry] =
-        obstacle_at(body, state.gap, node, laws[node].side);
+        touching_displacement(body, laws[node], state.gap[node]);
   }
 
 
@@ -136,7 +207,7 @@ namespace ThermoContact
                       const unsigned int node)
   {
     const double p = state.contact_pressure[node];
-    return obstacle_at(body, state.gap, node, p < 0. ? -1 : 1) +
+    return (p < 0. ? -body.scene.contact.rear_gap : state.gap[node]) +
            body.law().penetration(p);
   }
 
@@ -159,13 +230,9 @@ namespace ThermoContact
 
 
 #define INSTANTIATE(dim)                                       \
-  template void   get_node_laws(const Body<dim> &,             \
+  template void   get_node_laws(const SceneContact &,          \
+                                const ContactEnd<dim> &,       \
                                 const State &,                 \
-                                std::vector<NodeLaw> &,        \
-                                std::vector<double> &);        \
-  template void   get_node_laws(const Body<dim> &,             \
-                                const std::vector<double> &,   \
-                                const std::vector<double> &,   \
                                 std::vector<NodeLaw> &,        \
                                 std::vector<double> &);        \
   template double get_stage_laws(const Body<dim> &,            \
@@ -179,10 +246,15 @@ namespace ThermoContact
                                     const State &,             \
                                     const std::vector<bool> &, \
                                     std::vector<NodeLaw> &);   \
-  template double obstacle_at(const Body<dim> &,               \
-                              const std::vector<double> &,     \
-                              const unsigned int,              \
-                              const int);                      \
+  template void   get_held_at(const Body<dim> &,               \
+                              const State &,                   \
+                              std::vector<int> &);             \
+  template void   get_contact_values(const Body<dim> &,        \
+                                     const State &,            \
+                                     ContactValues &);         \
+  template double touching_displacement(const Body<dim> &,     \
+                                        const NodeLaw &,       \
+                                        const double);         \
   template void   put_on_obstacle(const Body<dim> &, State &); \
   template double displacement_of_law(const Body<dim> &,       \
                                       const State &,           \

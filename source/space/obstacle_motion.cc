@@ -13,7 +13,7 @@ namespace ThermoContact
   ObstacleMotion<dim>::ObstacleMotion(const Scene           &scene,
                                       const ContactEnd<dim> &end)
     : n_nodes(end.n_nodes())
-    , rear_gap(scene.contact.rear_gap)
+    , contact(scene.contact)
   {
     if (!scene.sources.has_moving_obstacle)
       return;
@@ -51,7 +51,7 @@ namespace ThermoContact
     for (const TimeDerivatives &at : derivatives)
       if (!std::isfinite(at.value))
         fail("is not finite", "a function that is finite up to Time/End time");
-      else if (at.value + rear_gap <= 0.)
+      else if (contact.stops_overlap(at.value))
         fail("the stops overlap", "a larger Contact/Rear gap");
   }
 

@@ -154,6 +154,7 @@ namespace ThermoContact
         tableau = &in_order;
         solve_stages(state, time_step, mode, result);
       }
+    result.order = tableau->order;
     if (!result.failure.empty())
       return;
     if (result.state.contact_pressure.size() != known.contact_pressure.size())
@@ -414,9 +415,8 @@ namespace ThermoContact
     known.gap                       = obstacle.values;
     known.gap_rate                  = obstacle.rates;
     known.known_penetration.clear();
-    const std::vector<int> &held_at = stages[i].held_at;
     if (mode != ContactMode::closed || !body.scene.contact.has_impacts() ||
-        (!held_at.empty() && held_at.front() < 0)) // that obstacle rests
+        !follow_motion(stages[i].held_at))
       return;
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
@@ -470,15 +470,10 @@ namespace ThermoContact
   DirkIntegrator<dim>::choose_stops(const State &state, const ContactMode mode)
   {
     for (StageRates &stage : stages)
-      stage.held_at.clear();
-    if (mode != ContactMode::closed || !body.scene.contact.is_two_sided())
-      return;
-    std::vector<NodeLaw> laws;
-    std::vector<double>  position;
-    get_node_laws(body, state, laws, position);
-    for (StageRates &stage : stages)
-      for (const NodeLaw &law : laws)
-        stage.held_at.push_back(law.side);
+      if (mode == ContactMode::closed)
+        get_held_at(body, state, stage.held_at);
+      else
+        stage.held_at.clear();
   }
 
 

@@ -194,12 +194,13 @@ namespace ThermoContact
           2. * (old_displacement[i] + 0.5 * time_step.size * velocity[i]) -
           old_free_position[i];
       }
-    get_node_laws(body, state.gap, old_free_position, laws, start);
+    get_node_laws(
+      body.scene.contact, state.gap, old_free_position, laws, start);
     std::vector<double> free_end(n);
     for (unsigned int i = 0; i < n; ++i)
       {
         const double at_end = // where the local one is
-          obstacle_at(body, obstacle.gap, i, laws[i].side);
+          touching_displacement(body, laws[i], obstacle.gap[i]);
         free_end[i] = free_position[i] - at_end;
         displacement_scale =
           std::max(displacement_scale,
@@ -226,7 +227,8 @@ namespace ThermoContact
   {
     std::vector<double> &pressure = new_state.contact_pressure;
     pressure                      = rates.pressure;
-    get_node_laws(body, new_state.gap, free_position, laws, start);
+    get_node_laws(
+      body.scene.contact, new_state.gap, free_position, laws, start);
     contact->equilibrium(laws, start, pressure);
 
     std::vector<double> old_displacement, displacement;

@@ -102,6 +102,7 @@ namespace ThermoContact
     , order(order)
     , ladder(ladder)
     , size(fixed_size)
+    , chosen_size(size)
     , last_error(1.)
     , was_rejected(false)
     , is_restarting(false)
@@ -121,6 +122,7 @@ namespace ThermoContact
     const double guess = 0.05 * std::pow(time.tolerance, 1. / order);
     size =
       std::min(time.first_step_size.value_or(rung_below(guess)), maximum_size);
+    chosen_size = size;
   }
 
 
@@ -214,7 +216,7 @@ namespace ThermoContact
   StepController::limit_first_step(const double largest)
   {
     if (chooses_first_step && largest < size)
-      size = std::max(rung_below(largest), minimum_size);
+      chosen_size = size = std::max(rung_below(largest), minimum_size);
   }
 
 
@@ -228,12 +230,14 @@ namespace ThermoContact
 
 
   void
-  StepController::reject(const TimeStep &step, const double error)
+  StepController::reject(const TimeStep                   &step,
+                         const double                      error,
+                         const std::optional<unsigned int> of_step)
   {
     was_rejected = true;
     const double factor =
       std::isfinite(error) ?
-        0.9 * std::pow(error / largest_error(), -1. / order) :
+        0.9 * std::pow(error / largest_error(), -1. / of_step.value_or(order)) :
         0.;
     set_size(step.size *
              std::min(std::max(factor, is_restarting ? 0.05 : 0.2), 0.8));
@@ -242,30 +246,35 @@ namespace ThermoContact
 
 
   double
-  StepController::keeping_factor(const double error) const
+  StepController::keeping_factor(const double       error,
+                                 const unsigned int of_step) const
   {
-    const double factor = 0.75 * std::pow(error, -1. / order);
+    const double factor = 0.75 * std::pow(error, -1. / of_step);
     return error <= 0.8 ? std::max(factor, 1.) : factor;
   }
 
 
 
   void
-  StepController::accept(const TimeStep &step, const double error)
+  StepController::accept(const TimeStep                   &step,
+                         const double                      error,
+                         const std::optional<unsigned int> of_step)
   {
     event_time.reset();
     if (!has_error_control)
       return;
     const double e      = std::max(error, Tolerances::smallest_error);
-    double       factor = ladder.keeps_sizes ? keeping_factor(e) :
-                                               0.9 * std::pow(e, -0.8 / order) *
-                                           std::pow(last_error, 0.3 / order);
+    const double p      = of_step.value_or(order);
+    double       factor = ladder.keeps_sizes ? keeping_factor(e, p) :
+                                               0.9 * std::pow(e, -0.8 / p) *
+                                           std::pow(last_error, 0.3 / p);
     factor = std::min(std::max(factor, 0.2), was_rejected ? 1. : 4.);
     // A shortened step says that the next may be longer or must be shorter
     // than itself; it does not make a size smaller that it did not try.
     if (step.target == TimeStep::none || factor < 1. ||
         factor * step.size > size)
       set_size(factor * step.size);
+    chosen_size   = size;
     last_error    = e;
     was_rejected  = false;
     is_restarting = false;
@@ -290,7 +299,7 @@ namespace ThermoContact
     event_time.reset();
     is_restarting = true;
     if (has_error_control)
-      set_size(factor * size);
+      set_size(std::min(size, factor * chosen_size));
   }
 
 
@@ -299,7 +308,7 @@ namespace ThermoContact
   StepController::is_exhausted(const TimeStep &step, const double time) const
   {
     return has_error_control &&
-           (step.size <= minimum_size ||
+           (step.size <= (1. + Tolerances::multiple_slack) * minimum_size ||
             size < 4. * std::numeric_limits<double>::epsilon() * time ||
             size < std::numeric_limits<double>::min());
   }

@@ -111,7 +111,7 @@ namespace
     NodeLaw front(*soft);
     front.play         = 2.;
     NodeLaw      rear  = front;
-    const double shift = rear.change_side(0.);
+    const double shift = rear.face(-1, 0.);
     deallog << "two sides:";
     for (const double z : {2., -1., -6.})
       deallog << ' ' << front.resolve(z, 1.).pressure << ' '
@@ -242,9 +242,7 @@ namespace
                -law.law->pressure(-s);
     const double v = law.is_in_velocity ? x : 0.;
     return law.law->damped_pressure(s, v) -
-           (law.is_held ?
-              0. :
-              law.law->damped_pressure(law.rear_penetration(s), -v));
+           (law.is_held ? 0. : law.law->damped_pressure(-s - law.play, -v));
   }
 
   /** How far (x, p) is from the graph, in units of x; r steepens p. */
@@ -257,8 +255,8 @@ namespace
     if (law.law->is_rigid())
       return law.is_held ? std::abs(x) :
              p > 0.      ? std::abs(x) :
-             p < 0.      ? std::abs(law.rear_penetration(x)) :
-                           std::max({x, law.rear_penetration(x), 0.});
+             p < 0.      ? std::abs(-x - law.play) :
+                           std::max({x, -x - law.play, 0.});
     const double direct = r * std::abs(p - pressure_at(law, x));
     if (law.is_in_velocity || p == 0. || !law.law->is_active())
       return direct;

@@ -12,12 +12,17 @@
 //   e = 0, then 1: 0.2 (clipped): -33.
 // Where contact begins or ends -40 or -36, where 0.2 is allowed: then rejected
 // with e = 3.2, 16 times as much, 0.495; a NaN 0.055: -57 or -53.
-// Steps of at most 0.25 to T = 0.7, landing on multiples of 0.4, 0.5 and 0.6;
-// of 0.1 to 1, where rounding makes no eleventh, to 0.05 and to 0.
-// Smallest step 0.001: a quarter of 2^-8 is below it, so that 0.001 is tried,
-// and nothing after it. First step 0.05 tol^(1/4) = 0.005 with tolerance 1e-4:
-// -31. On a ladder of powers of two the next size is 0.75 e^(-1/4) times the
-// last, but not less than it for e <= 0.8, times 1.1, rounded down; from -32:
+// A step of order 3, with e = 0.01: 0.9 e^(-0.8/3) 1.1 = 3.38: -25; rejected
+// with e = 16: 0.9 16^(-1/3) 1.1 = 0.393: -38. Where contact begins after a
+// step that was rejected with e = 16, -37, a quarter of the size before is -40;
+// that it ends at once again asks for half of it, which the step already is;
+// rejected with a NaN, -41, it is small enough for both. Steps of at most 0.25
+// to T = 0.7, landing on multiples of 0.4, 0.5 and 0.6; of 0.1 to 1, where
+// rounding makes no eleventh, to 0.05 and to 0. Smallest step 0.001: a quarter
+// of 2^-8 is below it, so that 0.001 is tried, and nothing after it. First step
+// 0.05 tol^(1/4) = 0.005 with tolerance 1e-4: -31. On a ladder of powers of two
+// the next size is 0.75 e^(-1/4) times the last, but not less than it for e <=
+// 0.8, times 1.1, rounded down; from -32:
 //   e = 0.03: 1.98: -32;             e = 0.025: 2.07: -28;
 //   e = 0.8: 1.1: -32;               e = 0.9: 0.85: -36;
 //   e = 0: 4 (clipped): -24;         rejected, e = 16: 0.495: -40.
@@ -278,6 +283,39 @@ namespace
 
 
   void
+  test_orders()
+  {
+    StepController accepted = make_controller(from_rung());
+    accepted.accept(accepted.propose(0.), 0.01, 3);
+    StepController rejected = make_controller(from_rung());
+    rejected.reject(rejected.propose(0.), 16., 3);
+    deallog << "order 3: accepted " << rung(accepted) << ", rejected "
+            << rung(rejected) << std::endl;
+  }
+
+
+
+  void
+  test_rejected_switches()
+  {
+    for (const double error : {16., std::numeric_limits<double>::quiet_NaN()})
+      {
+        StepController controller = make_controller(from_rung());
+        controller.reject(controller.propose(0.), error);
+        deallog << "rejected " << rung(controller);
+        for (const double factor :
+             {StepController::at_touch, StepController::at_change})
+          {
+            controller.restart(factor);
+            deallog << ", switched " << rung(controller);
+          }
+        deallog << std::endl;
+      }
+  }
+
+
+
+  void
   test_exhaustion()
   {
     const StepAttempt before{0.4, 0.1, 0.01, true, "ok"},
@@ -303,6 +341,8 @@ main_step_controller()
   initlog();
   test_exhaustion();
   test_ladder();
+  test_orders();
+  test_rejected_switches();
   test_targets();
   test_multiples();
 }

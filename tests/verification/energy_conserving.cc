@@ -23,6 +23,7 @@
 //    h, +-0.25, for u.
 
 #include <thermocontact/simulation/simulation.h>
+#include <thermocontact/space/node_laws.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -72,11 +73,12 @@ namespace
   double
   violation(const Simulation<dim> &simulation)
   {
-    const ContactLaw   &law   = simulation.body().law();
-    const State        &state = simulation.state();
-    std::vector<double> penetration;
-    simulation.body().contact_end().get_penetrations(state, 1, penetration);
-    double worst = 0., largest = 1.;
+    const ContactLaw &law   = simulation.body().law();
+    const State      &state = simulation.state();
+    ContactValues     values;
+    get_contact_values(simulation.body(), state, values);
+    const std::vector<double> &penetration = values.front.penetration;
+    double                     worst = 0., largest = 1.;
     for (const double p : state.contact_pressure)
       largest = std::max(largest, p);
     for (unsigned int i = 0; i < penetration.size(); ++i)

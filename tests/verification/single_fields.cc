@@ -216,8 +216,11 @@ namespace
       solver.solve(rates, system);
 
       std::vector<double> known(1);
-      discretization.contact_end().get_penetrations(state, 1, known);
-      const double free_penetration = known[0] + tau * end_value(rates);
+      discretization.contact_end().get_values(Field::displacement,
+                                              state.displacement,
+                                              known);
+      const double free_penetration =
+        known[0] - state.gap[0] + tau * end_value(rates);
       const double p =
         std::max(free_penetration, 0.) / (law.tangent(0.) + receptance);
       rates.add(-p, response);

@@ -27,6 +27,12 @@ namespace ThermoContact
                           ///< $u_t(1)$ at the obstacle behind
     int side = 1;         ///< of the obstacle; -1: the one behind the end
 
+    double
+    velocity_into() const
+    {
+      return side * velocity;
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -162,6 +168,38 @@ namespace ThermoContact
 
 
 
+  /** What an EventLocator knows of a run so far. */
+  struct ContactProgress
+  {
+    /** Largest values so far. */
+    struct Scales
+    {
+      double displacement = 0.;
+      double pressure     = 0.;
+
+      void
+      add(const LocalValues &values);
+    };
+
+    ContactMode               mode_ = ContactMode::unilateral;
+    ContactValues             present;
+    bool                      is_in_contact = false; ///< as the events say
+    std::vector<ContactEvent> pending; ///< at the start of the step
+    Scales                    largest;
+    int                       side = 1; ///< of the last contact
+
+    /** For checkpoints; after a step that was accepted. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &mode_ &present &is_in_contact &pending &side &largest
+        .displacement                                       &largest.pressure;
+    }
+  };
+
+
+
   /**
    * Follows the state of contact and finds the instants where it changes,
    * doc/contact-in-time.md section 3, so that steps can end there: between them
@@ -191,7 +229,7 @@ namespace ThermoContact
    * Attempts at a step change what the next attempt supposes, and nothing else:
    * events count when the step after them is accepted.
    */
-  class EventLocator
+  class EventLocator : private ContactProgress
   {
   public:
     /**
@@ -243,7 +281,7 @@ namespace ThermoContact
       /** Of nodes with mass: what is to be added to their velocity. */
       double change_of_velocity = 0.;
 
-      int side = 1; ///< of the obstacle
+      int obstacle = 1; ///< 1 or -1, that in front or behind
     };
 
     /**
@@ -317,47 +355,28 @@ namespace ThermoContact
       present = values;
     }
 
-    /**
-     * What changes during a run, for checkpoints; after a step that was
-     * accepted.
-     */
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
+    /** What changes during a run. */
+    const ContactProgress &
+    progress() const
     {
-      archive &mode_ &present &is_in_contact &pending &side &largest;
+      return *this;
     }
 
-  private:
-    /** Largest values so far. */
-    struct Scales
+    void
+    restore(const ContactProgress &progress)
     {
-      double displacement = 0.;
-      double pressure     = 0.;
+      ContactProgress::operator=(progress);
+    }
 
-      void
-      add(const LocalValues &values);
+    using ContactProgress::serialize;
 
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &displacement &pressure;
-      }
-    };
-
-    const ContactLaw         &law;
-    const bool                is_active;
-    const NodeOrder           nodes;
-    const double              tolerance;
-    const bool                has_small_changes;
-    const bool                has_velocity;
-    ContactMode               mode_;
-    ContactValues             present;
-    bool                      is_in_contact; ///< as the events say
-    std::vector<ContactEvent> pending;       ///< at the start of the step
-    Scales                    largest;
-    int                       side = 1; ///< of the last contact
+  private:
+    const ContactLaw &law;
+    const bool        is_active;
+    const NodeOrder   nodes;
+    const double      tolerance;
+    const bool        has_small_changes;
+    const bool        has_velocity;
 
     /** True if the margin of a node is its pressure. */
     bool

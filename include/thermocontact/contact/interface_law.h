@@ -249,11 +249,26 @@ namespace ThermoContact
     NodalPressure
     resolve(const double z, const double r) const override;
 
+    /** Of what the obstacle in front does, and the one behind, which rests,
+     * does not: the part of the local one. */
+    double
+    of_local(const double of_front) const
+    {
+      return side > 0 ? of_front : 0.;
+    }
+
     /** Velocity of the local obstacle. */
     double
     local_rate() const
     {
-      return side > 0 ? front_rate : 0.;
+      return of_local(front_rate);
+    }
+
+    /** Velocity of the obstacle that a node with this pressure meets. */
+    double
+    rate_under(const double pressure) const
+    {
+      return rate_of(sign_of(pressure));
     }
 
     /** Position at @p x, seen from the local obstacle. */
@@ -263,47 +278,35 @@ namespace ThermoContact
       return is_in_velocity ? start + tau * x : x;
     }
 
-    /** Penetration of the obstacle in front, and behind, at a position. */
+    /** The local obstacle is the one on @p new_side, 1 or -1; returns the
+     * position of a node at @p position as that one sees it. */
     double
-    front_penetration(const double position) const
+    face(const int new_side, const double position);
+
+    /** The local obstacle is the one that pushes a node so. */
+    void
+    face_pressure(const double pressure)
     {
-      return side > 0 ? position : position - play;
+      side = sign_of(side * pressure) * side;
     }
 
+    /** The pressure without a pull of the local obstacle. */
     double
-    rear_penetration(const double position) const
+    without_pull(const double pressure) const
     {
-      return side > 0 ? -position - play : -position;
+      return side * std::max(side * pressure, 0.);
     }
-
-    /** Position of the obstacle that pushes with this sign. */
-    double
-    obstacle(const int sign) const
-    {
-      return sign == side ? 0. : sign > 0 ? play : -play;
-    }
-
-    /** The position of a node at @p position, measured from the other side. */
-    double
-    change_side(const double position);
 
     /** True if the node meets no obstacle at @p x, and none holds it. */
     bool
     is_open(const double x) const;
 
-    /** 1: the obstacle in front is the nearer one at a position; -1: not. */
-    int
-    nearer_side(const double position) const
-    {
-      return rear_penetration(position) > front_penetration(position) ? -1 : 1;
-    }
-
     /** Penetration of the nearer one; negative: minus the gap. */
     double
     penetration(const double position) const
     {
-      return nearer_side(position) > 0 ? front_penetration(position) :
-                                         rear_penetration(position);
+      return std::max(penetration_of(1, position),
+                      penetration_of(-1, position));
     }
 
     /** The pressure at a position of a node with this velocity, not relative.
@@ -318,6 +321,24 @@ namespace ThermoContact
       return is_held ? std::max(side * pressure, 0.) : std::abs(pressure);
     }
 
+    /** How the penetration of the nearer one grows with the position. */
+    double
+    penetration_slope(const double position) const
+    {
+      return nearer_side(position);
+    }
+
+    /**
+     * How far a node goes with $z=z_0+\xi z'$ until it is on another branch of
+     * its law: where z is at one of its obstacles.
+     *
+     * @param lead smallest distance
+     */
+    double
+    distance_to_branch(const double z,
+                       const double rate,
+                       const double lead) const;
+
     /** How that grows with the pressure: 1, -1, or 0 under a pull. */
     double
     push_slope(const double pressure) const
@@ -325,6 +346,42 @@ namespace ThermoContact
       return is_held ? (side * pressure >= 0. ? side : 0.) :
                        (pressure < 0. ? -1. : 1.);
     }
+
+    /** $\varphi(s)$ at a position, of either sign. */
+    double
+    elastic_pressure(const double position) const;
+
+    /** The same; in front of a single obstacle the odd continuation. */
+    double
+    continued_pressure(const double position) const;
+
+    /**
+     * $\varphi(s)$ of a node with this pressure, of either sign,
+     * $p=\varphi(s)\,[1+c\,v]_+$, (M4.2): that of which the obstacle stores the
+     * energy. At a hard obstacle s has few digits, and $p-\varphi(s)$ would
+     * have none: then it is $p/(1+c\,v)$. A node that goes in without a
+     * pressure does not know of the obstacle yet, in a step that is held open
+     * and misses the begin of contact by s: zero.
+     *
+     * @param velocity of the node, not relative
+     * @param rounding of the position
+     */
+    double
+    elastic_pressure(const double position,
+                     const double velocity,
+                     const double pressure,
+                     const double rounding) const;
+
+    /**
+     * ContactLaw::numerical_dissipation() of a step from @p position by @p
+     * displacement, in which the obstacle in front moves by @p way.
+     */
+    double
+    numerical_dissipation(const double position,
+                          const double displacement,
+                          const double way,
+                          const double old_pressure,
+                          const double pressure) const;
 
     /** The local position of a node that has this pressure at rest. */
     double
@@ -336,6 +393,43 @@ namespace ThermoContact
      */
     AffineLaw
     tangent_of_pressure(const double pressure) const;
+
+    /** 1: the obstacle in front is the nearer one at a position; -1: not. */
+    int
+    nearer_side(const double position) const
+    {
+      return penetration_of(-1, position) > penetration_of(1, position) ? -1 :
+                                                                          1;
+    }
+
+  private:
+    /** Penetration of the obstacle in front, 1, or behind, -1. */
+    double
+    penetration_of(const int sign, const double position) const
+    {
+      return sign == side ? sign * position : sign * position - play;
+    }
+
+    double
+    rate_of(const int sign) const
+    {
+      return sign > 0 ? front_rate : 0.;
+    }
+
+    /** Position of the obstacle that pushes with this sign. */
+    double
+    obstacle(const int sign) const
+    {
+      return sign == side ? 0. : sign * play;
+    }
+
+    /** 1 or -1: of the obstacle that a node with this pressure meets. A single
+     * one pulls, too. */
+    int
+    sign_of(const double pressure) const
+    {
+      return pressure < 0. && std::isfinite(play) ? -1 : 1;
+    }
   };
 } // namespace ThermoContact
 

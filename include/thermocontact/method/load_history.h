@@ -7,6 +7,16 @@
 
 namespace ThermoContact
 {
+  /** Loads of which somebody answers a jump at once, as bits. */
+  enum LoadKind : unsigned int
+  {
+    other_load            = 0,
+    force                 = 1, ///< on the body or its end
+    fixed_end_temperature = 2
+  };
+
+
+
   /** A time at which a load is not smooth. */
   struct LoadBreak
   {
@@ -17,6 +27,8 @@ namespace ThermoContact
     double old_time; ///< a time right before it, with the old value
     double new_time; ///< the first time from which on it has the new one
     bool   is_jump;  ///< or else its slope jumps
+
+    unsigned int jumping = other_load; ///< bits: what jumps there
   };
 
 

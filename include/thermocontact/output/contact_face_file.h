@@ -25,18 +25,16 @@ namespace ThermoContact
   /**
    * The shape of an obstacle: the contact nodes of the undeformed end, their
    * gap and, so that what moves the body moves the obstacle to its place, the
-   * displacement (gap, 0, 0); of one behind the end (-rear_gap, 0, 0) at nodes
+   * displacement (gap, 0, 0); of one behind the end $(-g_2,0,0)$ at nodes
    * behind those.
    *
-   * @param rear_gap infinite: there is no obstacle behind the end
    * @param gap of an obstacle that moves, at the time of the file; else the
    *   gaps are those of the nodes
    */
   template <int dim>
   VtuCells<dim - 1, dim>
-  obstacle_shape(const ContactEnd<dim>       &end,
+  obstacle_shape(const Body<dim>             &body,
                  const OutputUnits           &units,
-                 const double                 rear_gap,
                  const dealii::Function<dim> *gap = nullptr);
 } // namespace ThermoContact
 

@@ -29,7 +29,7 @@ namespace ThermoContact
 
   /** The columns of events.csv; with two stops one more. */
   CsvColumns<EventRow>
-  event_columns(const bool has_sides);
+  event_columns(const Scene &scene);
 
   /** The columns of steps.csv. */
   CsvColumns<StepAttempt>

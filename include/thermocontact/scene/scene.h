@@ -270,6 +270,13 @@ namespace ThermoContact
       return std::isfinite(rear_gap);
     }
 
+    /** True if an obstacle in front at this gap reaches the one behind. */
+    bool
+    stops_overlap(const double gap_in_front) const
+    {
+      return !(gap_in_front + rear_gap > 0.);
+    }
+
     bool
     has_mass() const
     {

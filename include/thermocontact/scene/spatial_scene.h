@@ -38,8 +38,7 @@ namespace ThermoContact
     bool   has_given_temperature;
     double left_exchange; ///< $k_A$ of the end $x=0$
     BoundaryParameters::Attached left, right;
-    double                       rear_gap; ///< $g_2$; infinite: none
-    double                       gap;      ///< $g$ of all nodes; 0 with a shape
+    double                       gap; ///< $g$ of all nodes; 0 with a shape
     std::optional<Expression>    gap_expression; ///< of a shape or a motion
 
     bool

@@ -15,22 +15,6 @@
 
 namespace ThermoContact
 {
-  /** What contact says of a step that has been computed and is accurate. */
-  struct ContactVerdict
-  {
-    enum Kind
-    {
-      accept,  ///< contact is what was supposed
-      to_time, ///< contact changes within: take it again to @p time
-      again    ///< take it again, in the mode that the tracker has now
-    };
-
-    Kind   kind = accept;
-    double time = 0.;
-  };
-
-
-
   /**
    * The discrete part of the motion: which state of contact an attempt at a
    * step supposes, from where it starts, and whether what it shows fits.
@@ -71,34 +55,49 @@ namespace ThermoContact
     }
 
     /**
-     * A step that was computed is complete: with the pressures of nodes that an
-     * obstacle has moved.
-     */
-    void
-    complete(StepResult &result);
-
-    /**
-     * Judges a step and prepares the next attempt.
+     * What a step that is accurate shows of contact: it is right if that
+     * changes neither at its start nor within.
      *
-     * @param accepted,energy the state that was accepted last
-     * @param is_prescribed the step of the paper, which supposes nothing
      * @param mechanical_energy largest elastic or kinetic energy so far
      */
-    ContactVerdict
-    judge(const TimeStep    &time_step,
-          const StepResult  &result,
-          const State       &accepted,
-          const EnergyTerms &energy,
-          const bool         is_prescribed,
-          const double       mechanical_energy);
+    EventLocator::Finding
+    judge(const TimeStep   &time_step,
+          const StepResult &result,
+          const double      mechanical_energy) const;
 
     /**
-     * The step that was judged last is accepted: makes its end a state that the
-     * next one can start from, books what impacts have cost, and appends its
-     * events.
+     * The step that shows this is to be taken again: in another state of
+     * contact, or to an earlier time, which is returned. Nothing changes if it
+     * throws.
+     *
+     * @param accepted,energy the state that was accepted last
+     */
+    std::optional<double>
+    prepare(const EventLocator::Finding &finding,
+            const State                 &accepted,
+            const EnergyTerms           &energy);
+
+    /**
+     * Makes the end of a step that is accepted a state that the next one can
+     * start from, books what impacts have cost, and appends its events. Counts
+     * with confirm() and is undone by take_back().
+     *
+     * @param finding of judge()
      */
     void
-    accept(StepResult &result, std::vector<ContactEvent> &events);
+    accept(const EventLocator::Finding &finding,
+           StepResult                  &result,
+           std::vector<ContactEvent>   &events);
+
+    void
+    confirm()
+    {
+      impacted.reset();
+    }
+
+    /** The step behind accept() is to be taken again after all. */
+    void
+    take_back(std::vector<ContactEvent> &events);
 
     /**
      * Nodes in contact at the end of the step that was accepted last, or in the
@@ -143,20 +142,17 @@ namespace ThermoContact
     const Body<dim>          &body;
     Reset<dim>               &reset;
     EventLocator              locator;
-    EventLocator::Finding     finding;   ///< of the step that was judged last
-    ContactValues             next;      ///< at its end
+    ContactProgress           old_progress; ///< before accept()
+    std::size_t               n_old_events;
     std::optional<StepResult> impacted;  ///< by an impact at its start
     unsigned int              n_retakes; ///< to the next event
-
-    void
-    get_values(const State &state, ContactValues &values) const;
+    mutable ContactValues     next;      ///< scratch
 
     /** Contact changes at the start of the step. */
-    ContactVerdict
-    switch_state(const State &accepted, const EnergyTerms &energy);
-
-    ContactVerdict
-    leave_to_law();
+    void
+    switch_state(const EventLocator::Finding &finding,
+                 const State                 &accepted,
+                 const EnergyTerms           &energy);
   };
 } // namespace ThermoContact
 

@@ -46,6 +46,13 @@ namespace ThermoContact
     add(const EnergyTerms &energy);
 
     /**
+     * A field that has been zero takes its scale from this attempt at a step,
+     * whether it is accepted or not. Arguments as below.
+     */
+    void
+    note_attempt(const EnergyTerms &energy, const double rigid_displacement);
+
+    /**
      * Size of the error of a step.
      *
      * @param error half the squared norms of the estimate
@@ -56,7 +63,7 @@ namespace ThermoContact
     double
     operator()(const EnergyTerms &error,
                const EnergyTerms &energy,
-               const double       rigid_displacement);
+               const double       rigid_displacement) const;
 
     /**
      * Largest elastic or kinetic energy so far, or of the first attempt, and of
@@ -83,6 +90,12 @@ namespace ThermoContact
     /** Of the first attempts that moved a field. */
     double first_thermal;
     double first_mechanical;
+
+    /** True if the mechanical energy is rounding of a body that moves so far.
+     */
+    bool
+    is_rounding(const EnergyTerms &energy,
+                const double       rigid_displacement) const;
   };
 } // namespace ThermoContact
 

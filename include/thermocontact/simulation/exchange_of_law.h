@@ -7,7 +7,6 @@
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/space/state.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace ThermoContact
@@ -29,14 +28,11 @@ namespace ThermoContact
     std::vector<double>  position;
     get_node_laws(body, state, laws, position);
     for (unsigned int i = 0; i < laws.size(); ++i)
-      {
-        const double push = laws[i].side * state.contact_pressure[i];
-        state.exchange_coefficient[i] =
-          coefficient_of_node(*body.scene.heat.exchange,
-                              laws[i],
-                              position[i],
-                              laws[i].side * std::max(push, 0.));
-      }
+      state.exchange_coefficient[i] =
+        coefficient_of_node(*body.scene.heat.exchange,
+                            laws[i],
+                            position[i],
+                            laws[i].without_pull(state.contact_pressure[i]));
   }
 } // namespace ThermoContact
 

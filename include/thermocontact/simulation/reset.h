@@ -13,6 +13,7 @@
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -123,14 +124,14 @@ namespace ThermoContact
     settle_velocities(const std::vector<bool> &is_closed, State &state);
 
     /**
-     * The pressures become those with which nodes with mass that a rigid
-     * obstacle holds have its acceleration, (C8.3): those of the last stage
-     * are of first order only. The heat exchange becomes that of them.
+     * A step that was computed is complete: nodes with mass that an obstacle
+     * has moved have its place and velocity, and the pressures of its
+     * acceleration.
      *
      * @throw ComputationError if the mass matrix cannot be factorised
      */
     void
-    set_pressures_of_acceleration(State &state);
+    complete_step(const ContactMode mode, StepResult &result);
 
     /**
      * Pressures of a step that is accepted: none pulls, and where contact
@@ -244,6 +245,16 @@ namespace ThermoContact
     set_velocity_of_viscous_body(const std::vector<bool> &is_closed,
                                  State                   &state);
 
+    /**
+     * The pressures become those with which nodes with mass that a rigid
+     * obstacle holds have its acceleration, (C8.3): those of the last stage
+     * are of first order only. The heat exchange becomes that of them.
+     *
+     * @throw ComputationError if the mass matrix cannot be factorised
+     */
+    void
+    set_pressures_of_acceleration(State &state);
+
     /** (D5.3). */
     void
     set_static_displacement(State &state);
@@ -320,11 +331,11 @@ namespace ThermoContact
      * @p held_at, though they may have left it for the other one, of the others
      * none at the nearer one.
      *
-     * @param held_at 1 or -1; 0: nodes are not held
+     * @param held_at nothing: nodes are not held
      * @return true if one did
      */
     bool
-    remove_pull(const int held_at, State &state) const;
+    remove_pull(const std::optional<int> held_at, State &state) const;
   };
 } // namespace ThermoContact
 

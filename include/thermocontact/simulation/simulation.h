@@ -54,6 +54,7 @@ namespace ThermoContact
    *   contact changes at t':                   m = the other; x' = R(x'); done
    *   contact stays as m says:                 done
    * an input has a discontinuity at t':        x' = R(x'); m as contact then is
+   * R(x') is not found:                        t' = something smaller, again
    * x = x'; t = t'
    * @endcode
    * Until it is done nothing that was accepted changes.
@@ -259,35 +260,46 @@ namespace ThermoContact
     void
     compute_step(const TimeStep &time_step);
 
+    /** Displacement of the body as a whole; 0 if it cannot move. */
+    double
+    rigid_displacement() const;
+
     /**
      * The error of a step relative to the tolerance. Impacts of nodes on a
      * rigid obstacle within unilateral steps make their velocity jump: then
      * temperature and displacement alone are judged.
      */
     double
-    relative_error();
+    relative_error() const;
 
-    /**
-     * Computes a step and judges it; prepares the next attempt if it is not to
-     * be accepted.
-     *
-     * @param error out: relative to the tolerance, if it is known
-     * @return empty if it is; else why not, as steps.csv has it
-     * @throw ComputationError if no step can be accepted, or an event that it
-     *   has cannot be followed
-     */
-    std::string
-    judge(const TimeStep &time_step, double &error);
+    /** What a step that was computed is worth; the first that applies. */
+    struct Verdict
+    {
+      enum Kind
+      {
+        failed,
+        inaccurate,
+        contact_changes, ///< at its start or within
+        accept
+      };
+
+      Kind                  kind  = failed;
+      double                error = 0.; ///< relative to the tolerance, if known
+      EventLocator::Finding finding;    ///< of contact
+    };
+
+    Verdict
+    judge(const TimeStep &time_step) const;
 
     /**
      * A step that is to be accepted is finished: with what events and
-     * discontinuities of inputs at its end make of its state.
+     * discontinuities of inputs at its end make of its state. If that cannot be
+     * found it stands in the result, and nothing has changed.
      *
      * @return the discontinuity that was passed, or nullptr
-     * @throw ComputationError naming step and time if that cannot be found
      */
     const LoadBreak *
-    commit(const TimeStep &time_step);
+    commit(const EventLocator::Finding &finding);
 
     /** $g'$ at the first contact node; NaN where it may have a jump. */
     double

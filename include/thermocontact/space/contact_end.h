@@ -57,12 +57,10 @@ namespace ThermoContact
     /**
      * @param discretization borrowed; its degrees of freedom are distributed
      * @param gap $g$ at the places of the end
-     * @param rear_gap $g_2$; infinite: there is no obstacle behind the end
      * @throw InputError if it is not finite at a node
      */
     ContactEnd(const Discretization<dim> &discretization,
-               const Function<dim>       &gap,
-               const double               rear_gap);
+               const Function<dim>       &gap);
 
     /**
      * Those that can meet the obstacle, in order of their position; on all
@@ -136,53 +134,6 @@ namespace ThermoContact
     get_all_values(const Field::Block   field,
                    const Vector        &vector,
                    std::vector<double> &values) const;
-
-    /**
-     * Penetration of a node of @p state whose normal displacement is @p u: into
-     * the obstacle in front, @p side 1, $u-g$, or behind it, -1, $-u-g_2$,
-     * $-\infty$ if there is none.
-     */
-    double
-    penetration(const State       &state,
-                const unsigned int node,
-                const int          side,
-                const double       u) const
-    {
-      if (side < 0)
-        return -u - rear_gap;
-      return state.known_penetration.empty() ? u - state.gap[node] :
-                                               state.known_penetration[node];
-    }
-
-    /** Velocity into it of a node of velocity @p v, $v-g'$ or, since that one
-     * rests, $-v$. */
-    double
-    velocity_into(const State       &state,
-                  const unsigned int node,
-                  const int          side,
-                  const double       v) const
-    {
-      return side > 0 ? v - state.gap_rate[node] : -v;
-    }
-
-    /** penetration() of nodes(). */
-    void
-    get_penetrations(const State         &state,
-                     const int            side,
-                     std::vector<double> &penetrations) const;
-
-    /** Of the obstacle that a node with this pressure meets. */
-    int
-    side_of(const double pressure) const
-    {
-      return pressure < 0. && std::isfinite(rear_gap) ? -1 : 1;
-    }
-
-    /** velocity_into() of nodes(). */
-    void
-    get_velocities_into(const State         &state,
-                        const int            side,
-                        std::vector<double> &velocities) const;
 
     /** Sets the locally owned values of a vector, one for each of all nodes. */
     void
@@ -262,7 +213,6 @@ namespace ThermoContact
     /** Index of a node, local position of its value in a vector. */
     using Entries = std::vector<std::pair<unsigned int, unsigned int>>;
 
-    const double                  rear_gap;
     const MPI_Comm                communicator;
     const double                  cross_section;
     std::vector<ContactNode<dim>> all_nodes_;

@@ -156,6 +156,7 @@ namespace ThermoContact
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;
     const Loads<dim>                      &loads;
+    const SceneContact                    &contact;
     const ContactLaw                      &law;
     const Material                        &material;
     const SceneHeat                       &heat;
@@ -173,6 +174,8 @@ namespace ThermoContact
     mutable std::vector<double>            end_temperature;
     mutable std::vector<double>            end_pressure;
     mutable std::vector<double>            old_end_pressure;
+    mutable std::vector<NodeLaw>           laws;     ///< of the contact nodes
+    mutable std::vector<double>            position; ///< of them
 
     /** The terms of rank 0, on all ranks. */
     EnergyTerms
@@ -200,6 +203,8 @@ namespace ThermoContact
     /**
      * The pressures that the obstacle stores the energy of: those of @p state,
      * or with damping those of its penetrations at rest.
+     *
+     * Sets @p laws and @p position, of damped ones.
      *
      * @param scratch may be the result
      */

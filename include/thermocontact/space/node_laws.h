@@ -3,6 +3,7 @@
 #ifndef thermocontact_space_node_laws_h
 #define thermocontact_space_node_laws_h
 
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/contact/interface_law.h>
 #include <thermocontact/space/body.h>
 
@@ -10,6 +11,16 @@
 
 namespace ThermoContact
 {
+  /**
+   * What a node meets whose gap in front is @p gap.
+   *
+   * @param position in: its displacement; out: as below
+   */
+  NodeLaw
+  make_node_law(const SceneContact &contact,
+                const double        gap,
+                double             &position);
+
   /**
    * What the contact nodes of a state meet, and where they are: which of two
    * obstacles is local to each, the nearer one. Collective.
@@ -20,15 +31,26 @@ namespace ThermoContact
    */
   template <int dim>
   void
+  get_node_laws(const SceneContact    &contact,
+                const ContactEnd<dim> &end,
+                const State           &state,
+                std::vector<NodeLaw>  &laws,
+                std::vector<double>   &position);
+
+  template <int dim>
+  void
   get_node_laws(const Body<dim>      &body,
                 const State          &state,
                 std::vector<NodeLaw> &laws,
-                std::vector<double>  &position);
+                std::vector<double>  &position)
+  {
+    get_node_laws(
+      body.scene.contact, body.contact_end(), state, laws, position);
+  }
 
   /** The same for nodes with these displacements before obstacles at @p gap. */
-  template <int dim>
   void
-  get_node_laws(const Body<dim>           &body,
+  get_node_laws(const SceneContact        &contact,
                 const std::vector<double> &gap,
                 const std::vector<double> &displacement,
                 std::vector<NodeLaw>      &laws,
@@ -66,13 +88,30 @@ namespace ThermoContact
                     const std::vector<bool> &is_closed,
                     std::vector<NodeLaw>    &laws);
 
-  /** Displacement of a node that touches the obstacle on this side, 1 or -1. */
+  /** Which obstacle holds each node: the one that is local at the start of a
+   * step; empty if there is one alone. */
+  template <int dim>
+  void
+  get_held_at(const Body<dim> &body, const State &state, std::vector<int> &at);
+
+  /** False if the nodes are held by the obstacle behind them, which rests. */
+  bool
+  follow_motion(const std::vector<int> &held_at);
+
+  /** The contact nodes of a state as events are found with. Collective. */
+  template <int dim>
+  void
+  get_contact_values(const Body<dim> &body,
+                     const State     &state,
+                     ContactValues   &values);
+
+  /** Displacement of a node that touches its local obstacle, of @p gap if that
+   * is in front. */
   template <int dim>
   double
-  obstacle_at(const Body<dim>           &body,
-              const std::vector<double> &gap,
-              const unsigned int         node,
-              const int                  side);
+  touching_displacement(const Body<dim> &body,
+                        const NodeLaw   &law,
+                        const double     gap);
 
   /** All contact nodes touch the obstacle that is local to them. Collective. */
   template <int dim>

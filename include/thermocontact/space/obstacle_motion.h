@@ -52,8 +52,8 @@ namespace ThermoContact
     set_rates(const double time, State &state) const;
 
   private:
-    const unsigned int n_nodes;
-    const double       rear_gap; ///< $g_2$; infinite: no obstacle behind
+    const unsigned int  n_nodes;
+    const SceneContact &contact;
 
     /** The gaps at all nodes, or the same one; empty if it rests. */
     std::vector<TimeFunction> gaps;

@@ -162,13 +162,21 @@ namespace ThermoContact
              (error <= 1. && is_as_short_as_time_allows(step));
     }
 
-    /** The step is not accurate enough. */
+    /**
+     * The step is not accurate enough.
+     *
+     * @param of_step order that the step has had; nothing: that of the scheme
+     */
     void
-    reject(const TimeStep &step, const double error);
+    reject(const TimeStep                   &step,
+           const double                      error,
+           const std::optional<unsigned int> of_step = {});
 
-    /** The step is accepted. */
+    /** The step is accepted; arguments as there. */
     void
-    accept(const TimeStep &step, const double error);
+    accept(const TimeStep                   &step,
+           const double                      error,
+           const std::optional<unsigned int> of_step = {});
 
     /**
      * The step could not be computed: the next one will be smaller.
@@ -183,7 +191,9 @@ namespace ThermoContact
 
     /**
      * Contact has changed or a load has jumped: what follows may be faster than
-     * what the size was chosen for, which becomes smaller by @p factor.
+     * what the size was chosen for, of which a step is to have no more than
+     * @p factor. Attempts that were rejected since then may have made it small
+     * enough.
      */
     void
     restart(const double factor);
@@ -204,7 +214,7 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &size &last_error &is_restarting;
+      archive &size &chosen_size &last_error &is_restarting;
     }
 
   private:
@@ -220,6 +230,7 @@ namespace ThermoContact
     LoadHistory         loads;
 
     double                size; ///< of the next step if nothing shortens it
+    double                chosen_size; ///< the same when a step was accepted
     double                last_error;
     bool                  was_rejected;
     bool                  is_restarting; ///< after contact or a load changed
@@ -252,7 +263,7 @@ namespace ThermoContact
      * are accepted with some margin.
      */
     double
-    keeping_factor(const double error) const;
+    keeping_factor(const double error, const unsigned int of_step) const;
 
     void
     set_size(const double value);

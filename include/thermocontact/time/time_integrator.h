@@ -39,6 +39,9 @@ namespace ThermoContact
      */
     std::vector<bool> closed_nodes;
 
+    /** Of the tableau that was used; nothing: of the scheme. */
+    std::optional<unsigned int> order;
+
     /** Where contact begins or ends in the step, if the scheme knows it. */
     std::optional<ContactChange> contact_change;
 
