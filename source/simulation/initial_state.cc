@@ -18,31 +18,15 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Largest difference of a field to @p value where it is constrained. */
-    template <int dim>
-    double
-    largest_constrained(const Discretization<dim> &discretization,
-                        const Field::Block         field,
-                        const Vector              &vector,
-                        const double               value)
-    {
-      double result = 0.;
-      for (const unsigned int e : discretization.constrained_entries(field))
-        result = std::max(result, std::abs(vector.begin()[e] - value));
-      return Utilities::MPI::max(result, discretization.communicator());
-    }
-
-
-
     /** What the initial temperature differs by from that of the fixed end. */
     template <int dim>
     double
     mismatch_of_fixed_end(const Body<dim> &body, const State &state)
     {
-      return largest_constrained(body.discretization,
-                                 Field::temperature,
-                                 state.temperature,
-                                 body.scene.heat.fixed_end_temperature);
+      return body.discretization.largest_constrained(
+        Field::temperature,
+        state.temperature,
+        body.scene.heat.fixed_end_temperature);
     }
 
 
@@ -85,8 +69,9 @@ namespace ThermoContact
                             &std::as_const(velocity_of_rest),
                             "a body that flies at an obstacle has a free end, "
                             "Boundary/left/Support = free")})
-        if (largest_constrained(
-              discretization, Field::displacement, *field, 0.) >
+        if (discretization.largest_constrained(Field::displacement,
+                                               *field,
+                                               0.) >
             Tolerances::rounding_of_data * field->linfty_norm())
           throw InputError(
             std::string("Initial values/") + name + " = " + expression +

@@ -509,28 +509,6 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    /** True if the fixed end has another temperature in @p state. */
-    template <int dim>
-    bool
-    fixed_end_differs(const Body<dim> &body,
-                      const double     temperature,
-                      const State     &state)
-    {
-      double largest = 0.;
-      for (const unsigned int entry :
-           body.discretization.constrained_entries(Field::temperature))
-        largest =
-          std::max(largest,
-                   std::abs(state.temperature.begin()[entry] - temperature));
-      return Utilities::MPI::max(largest, body.discretization.communicator()) >
-             0.;
-    }
-  } // namespace
-
-
-
   template <int dim>
   bool
   Reset<dim>::moves_at_once() const
@@ -568,7 +546,9 @@ namespace ThermoContact
     State           &state = result.state;
     const bool       starts =
       state.time == 0. &&
-      fixed_end_differs(body, heat.fixed_end_temperature, state);
+      body.discretization.largest_constrained(Field::temperature,
+                                              state.temperature,
+                                              heat.fixed_end_temperature) > 0.;
     const bool jumps =
       at != nullptr && (at->jumping & fixed_end_temperature) != 0;
     if (starts)

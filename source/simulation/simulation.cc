@@ -454,19 +454,30 @@ namespace ThermoContact
 
 
   template <int dim>
-  const LoadBreak *
-  Simulation<dim>::pass_present_break(const EnergyTerms &energy)
+  template <class Action>
+  void
+  Simulation<dim>::change_present(const EnergyTerms &energy,
+                                  const Action      &action)
   {
     result        = StepResult();
     result.state  = state_;
     result.energy = energy;
-
-    const LoadBreak *const passed = pass_break();
+    action();
     take_warnings();
     if (!result.failure.empty())
       throw ComputationError(result.failure +
                              words_of_loads(body_, state_.time, state_.time));
     state_.swap(result.state);
+  }
+
+
+
+  template <int dim>
+  const LoadBreak *
+  Simulation<dim>::pass_present_break(const EnergyTerms &energy)
+  {
+    const LoadBreak *passed = nullptr;
+    change_present(energy, [&]() { passed = pass_break(); });
     return passed;
   }
 
@@ -495,27 +506,20 @@ namespace ThermoContact
       controller.followed_loads().break_at(state_.time);
     if (state_.time != 0. && at == nullptr)
       return;
-    result        = StepResult();
-    result.state  = state_;
-    result.energy = record().energy_terms;
-
     const ContactMode mode       = tracker.mode();
     bool              was_heated = false;
-    together([&]() {
-      was_heated = reset.heat_fixed_end(integrator->stage_solver(),
-                                        tracker.closed_nodes(result),
-                                        at,
-                                        result);
-      if (was_heated && reset.moves_at_once())
-        tracker.jump(result.state, history_.events);
+    change_present(record().energy_terms, [&]() {
+      together([&]() {
+        was_heated = reset.heat_fixed_end(integrator->stage_solver(),
+                                          tracker.closed_nodes(result),
+                                          at,
+                                          result);
+        if (was_heated && reset.moves_at_once())
+          tracker.jump(result.state, history_.events);
+      });
     });
-    take_warnings();
-    if (!result.failure.empty())
-      throw ComputationError(result.failure +
-                             words_of_loads(body_, state_.time, state_.time));
     if (!was_heated)
       return;
-    state_.swap(result.state);
     restart_controller(mode, nullptr);
     history_.add_jump(result);
     error_norm.add(result.energy);

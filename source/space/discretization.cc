@@ -63,6 +63,20 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  Discretization<dim>::largest_constrained(const Field::Block field,
+                                           const Vector      &vector,
+                                           const double       value) const
+  {
+    double largest = 0.;
+    for (const unsigned int entry : constrained_entries(field))
+      largest = std::max(largest, std::abs(vector.begin()[entry] - value));
+    return Utilities::MPI::max(largest, communicator());
+  }
+
+
+
+  template <int dim>
   void
   Discretization<dim>::make_grid(const MeshParameters &mesh,
                                  const unsigned int    n_halvings)

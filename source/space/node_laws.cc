@@ -11,7 +11,7 @@ namespace ThermoContact
     NodeLaw      law(*contact.law);
     law.play = gap + contact.rear_gap;
     position = u - gap;
-    if (law.nearer_side(position) < 0)
+    if (law.penetration_slope(position) < 0)
       {
         law.side = -1;
         position = u + contact.rear_gap;

@@ -309,6 +309,17 @@ namespace ThermoContact
                       penetration_of(-1, position));
     }
 
+    /**
+     * How penetration() grows with the position: 1 if the obstacle in front is
+     * the nearer one, else -1.
+     */
+    int
+    penetration_slope(const double position) const
+    {
+      return penetration_of(-1, position) > penetration_of(1, position) ? -1 :
+                                                                          1;
+    }
+
     /** The pressure at a position of a node with this velocity, not relative.
      */
     double
@@ -319,13 +330,6 @@ namespace ThermoContact
     push(const double pressure) const
     {
       return is_held ? std::max(side * pressure, 0.) : std::abs(pressure);
-    }
-
-    /** How the penetration of the nearer one grows with the position. */
-    double
-    penetration_slope(const double position) const
-    {
-      return nearer_side(position);
     }
 
     /**
@@ -393,14 +397,6 @@ namespace ThermoContact
      */
     AffineLaw
     tangent_of_pressure(const double pressure) const;
-
-    /** 1: the obstacle in front is the nearer one at a position; -1: not. */
-    int
-    nearer_side(const double position) const
-    {
-      return penetration_of(-1, position) > penetration_of(1, position) ? -1 :
-                                                                          1;
-    }
 
   private:
     /** Penetration of the obstacle in front, 1, or behind, -1. */

@@ -315,8 +315,17 @@ namespace ThermoContact
     pass_break();
 
     /**
-     * The same in the present state, whose energy is @p energy; the result has
-     * what it costs.
+     * @p action changes the present state, whose energy is @p energy; the
+     * result has what it costs.
+     *
+     * @throw ComputationError that says where
+     */
+    template <class Action>
+    void
+    change_present(const EnergyTerms &energy, const Action &action);
+
+    /**
+     * pass_break() in the present state.
      *
      * @throw ComputationError that says where
      */

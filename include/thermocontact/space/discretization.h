@@ -214,6 +214,13 @@ namespace ThermoContact
       return constrained_entries_[field];
     }
 
+    /** Largest difference of a field to @p value where it is constrained;
+     * collective. */
+    double
+    largest_constrained(const Field::Block field,
+                        const Vector      &vector,
+                        const double       value) const;
+
     /** What the entries of the local part of a vector of a field are. */
     const std::vector<NodalValue<dim>> &
     nodal_values(const Field::Block field) const
