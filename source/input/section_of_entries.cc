@@ -134,11 +134,12 @@ namespace ThermoContact
                             const dealii::Patterns::PatternBase &pattern,
                             const Action                        &assign)
   {
-    return {[=, &pattern](const std::string &text) {
-      prm.declare_entry(name, default_value, pattern, text);
-      if (assign)
-        prm.add_action(name, assign);
-    }};
+    return {
+      [this, name, default_value, &pattern, assign](const std::string &text) {
+        prm.declare_entry(name, default_value, pattern, text);
+        if (assign)
+          prm.add_action(name, assign);
+      }};
   }
 
 
