@@ -329,11 +329,11 @@ def check_ci(top):
             'echo "100% tests passed, 0 tests failed out of 3"\necho "scripts/bare: no $suite"\n'
             f'[ $WORD = passed ] || exit 1\n[ {name} = test ] || exit $STATUS\n')
     passed = "100% tests passed, 0 tests failed out of 3"
-    for red, status, suites in (("", "0", ["bookworm"]),
+    for red, status, suites in (("", "0", ["bookworm", "trixie"]), ("trixie", "0", []),
                                 ("bookworm", "0", []), ("", "125", []), ("", "3", [])):
         result, calls = project.run("../.ci/run", RED=red, STATUS=status)
         expected = []
-        for suite in ("bookworm",):
+        for suite in ("bookworm", "trixie"):
             expected += [f"== {suite}", f"scripts/test: {'FAILED' if red == suite else 'passed'}, 7 s",
                          passed] + ["scripts/bare: no " + suite] * (status == "125")
         if status == "125":
@@ -341,7 +341,7 @@ def check_ci(top):
         check(f"CI, red {red!r}, status {status}", result.returncode == (
             0 if not red and status in ("0", "125") else 1) and
             result.stdout.rstrip().splitlines()[-len(expected):] == expected and
-            calls == ["bare bookworm"] + ["test here"] * (status == "125"),
+            calls == ["bare bookworm", "bare trixie"] + ["test here"] * (status == "125"),
             result.stdout + result.stderr)
 
 
