@@ -672,6 +672,21 @@ namespace ThermoContact
 
 
 
+  std::string
+  impact_warning(const Scene &scene)
+  {
+    const double mass = scene.parameters.boundary.right.mass;
+    return mass == 0. || !scene.contact.stops_nodes() ?
+             "" :
+             "Boundary/right/Mass = " +
+               QuantityUnits(scene.parameters).text_for_entry("mass", mass) +
+               ": it stops at the rigid obstacle without rebound, and its "
+               "energy is lost; remedy: Contact/Condition = normal compliance, "
+               "which gives it back";
+  }
+
+
+
   void
   check_scheme_fits_law(const Scheme         &scheme,
                         const ContactLawKind &kind,

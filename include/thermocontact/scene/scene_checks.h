@@ -90,6 +90,11 @@ namespace ThermoContact
    * nothing. */
   std::string
   oscillation_warning(const Scene &scene);
+
+  /** A warning if a mass on the contact end meets a rigid obstacle, at which
+   * what stops is lost; or nothing. */
+  std::string
+  impact_warning(const Scene &scene);
 } // namespace ThermoContact
 
 #endif
