@@ -526,7 +526,11 @@ namespace ThermoContact
 
 
 
-    /** A body that flies has inertia, and one that rests is held. */
+    /**
+     * Of a body that is free at its end something else resists a motion of the
+     * whole, of the order of its equation: inertia, or else a dashpot if it is
+     * viscous, a spring if it is not.
+     */
     void
     check_hold(const Scene &scene)
     {
@@ -534,11 +538,15 @@ namespace ThermoContact
         return;
       const BoundaryParameters &boundary = scene.parameters.boundary;
       const Refusal support{"Boundary/left/Support", "free", "clamped"};
-      support.since(!scene.material.has_inertia() &&
-                      boundary.left.spring == 0. && boundary.right.spring == 0.,
+      const bool    is_viscous = scene.material.order() == NodeOrder::viscous;
+      const double  resistance =
+        is_viscous ? boundary.left.dashpot + boundary.right.dashpot :
+                      boundary.left.spring + boundary.right.spring;
+      support.since(!scene.material.has_inertia() && resistance == 0.,
                     no_inertia,
-                    "Model/Inertia above 0, or Boundary/left/Spring: nothing "
-                    "holds the body, and nothing resists its motion");
+                    text("Model/Inertia above 0, or Boundary/left/",
+                         is_viscous ? "Dashpot" : "Spring",
+                         ": nothing resists a motion of the whole body"));
       support.since(scene.is_fixed_point,
                     "Solver/Step solver = fixed point",
                     "Solver/Step solver = monolithic");

@@ -27,6 +27,11 @@ conserving steps of 0.002 that conserve energy, and controlled ones
 base       an obstacle that moves by w(t) is a base that moves by -w(t) before one at rest and
            a body force -b w'', w(0) = w'(0) = 0: gaps and forces.
 
+flight     a free body, with masses on the ends of a rod, before an obstacle, and all of it
+           in a frame that moves with 0.1: forces, gaps, stress, temperatures.
+held       an end that is clamped and has a temperature, and one that a spring holds, in a
+           rod, without inertia with a dashpot, and an exchange heats, all of 1e10.
+
 Errors of a column relative to its largest value, with fixed steps 1e-8 (1e-6 by the
 iterative solver), with error control 50 tolerances, of the two schemes 1e-3 at the end;
 where the steps are the same, 1e-5 (1e-4). What a relation is not for is left out.
@@ -235,6 +240,34 @@ def rear(scene):
     return None if "t" in scene["Contact/Gap"] else (scene | {"Contact/Rear gap": "9"}, {})
 
 
+def flight(scene):
+    if not moves(scene) or scene["Model/Inertia"] == "0" or "Contact/Rear gap" in scene:
+        return None
+    first = {key: value for key, value in scene.items()
+             if key != "Boundary/left/Displacement"} | {"Boundary/left/Support": "free"}
+    if scene["Dimension"] == "1" and scene.get("Time/Scheme") not in ("box", "energy conserving"):
+        first |= {"Boundary/left/Mass": "0.3", "Boundary/right/Mass": "0.2"}
+    first["Initial values/Velocity"] = first.get("Initial values/Velocity", "20*x*(x-1)^2")
+    other = first | {"Initial values/Velocity": f"{first['Initial values/Velocity']}+0.1"}
+    if "Contact/Gap" in scene:
+        other["Contact/Gap"] = f"{scene['Contact/Gap']}+0.1*t"
+    return other, dict.fromkeys(("displacement_end", "displacement_mid", "velocity_end", *ENERGIES)), \
+        first
+
+
+def held(scene):
+    drive = scene.get("Boundary/left/Temperature", "10")
+    related = dict(scene)
+    if has_heat(scene) and "t" not in drive:
+        related |= {"Boundary/left/Temperature": "none", "Boundary/left/Heat exchange": "1e10",
+                    "Boundary/left/Surroundings": drive}
+    if moves(scene) and scene["Dimension"] == "1" and "Boundary/left/Displacement" not in scene:
+        related |= {"Boundary/left/Support": "free", "Boundary/left/Spring": "1e10"}
+        if scene["Model/Inertia"] == "0":
+            related["Boundary/left/Dashpot"] = "1e10"
+    return (related, {}) if related != scene else None
+
+
 RELATIONS = {"sign": sign, "mirror": mirror, "scaled": scaled,
              "strip": body({"Dimension": "2", "Mesh/Cells across": "1"}),
              "round": body({"Dimension": "2", "Mesh/Cells across": "1",
@@ -242,7 +275,8 @@ RELATIONS = {"sign": sign, "mirror": mirror, "scaled": scaled,
              "block": body({"Dimension": "3", "Mesh/Cells across": "1"}),
              "iterative": iterative, "impacts": impacts, "base": base, "alone": alone,
              "rear": rear, "free": free, "direct": direct,
-             "fixed point": fixed_point, "conserving": conserving}
+             "fixed point": fixed_point, "conserving": conserving,
+             "flight": flight, "held": held}
 SAME_STEPS = ("sign", "mirror", "scaled", "iterative", "direct")
 
 
