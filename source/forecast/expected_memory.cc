@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/forecast/forecast.h>
 #include <thermocontact/time/monolithic_solver.h>
@@ -105,10 +106,36 @@ namespace ThermoContact
   double
   expected_cpu_seconds(const Scene &scene, const double n_steps)
   {
-    const double n_sizes = n_step_sizes(scene.parameters, n_steps);
-    return seconds_of_process +
-           scene.linear_solver.cost.seconds(n_sizes + has_equilibrium(scene),
-                                            n_steps * scene.scheme.n_stages);
+    const Parameters  &parameters = scene.parameters;
+    const unsigned int dim        = parameters.dimension;
+    const double       n          = scene.n_unknowns();
+    const double       n_stages   = n_steps * scene.scheme.n_stages;
+    const double       n_made =
+      has_equilibrium(scene) + (parameters.time.has_error_control() ?
+                                  std::min(1. + 0.25 * n_steps, 20.) :
+                                  1.);
+    if (scene.linear_solver.is_iterative)
+      {
+        // iterations grow where a body hardly changes its volume, and smoothers
+        // do not treat such motions, doc/discretisation.md
+        const double softness =
+          std::min(std::pow(std::max(1., 0.57 / scene.material.two_mu), 0.35),
+                   parameters.mesh.degree > 1 &&
+                       parameters.mesh.geometry != "axisymmetric" ?
+                     1.6 :
+                     infinity);
+        return seconds_of_process +
+               n * (1.2e-5 + 2e-6 * softness * (n_stages + 0.1 * n_made));
+      }
+    const double stage =
+      dim == 2 ? 2e-8 * std::pow(n, 1.4) : 3.5e-8 * std::pow(n, 1.54);
+    const double factors =
+      dim == 2 ? 2e-7 * std::pow(n, 1.5) : 5e-8 * std::pow(n, 2.);
+    const double n_responses = scene.contact.law->is_active() ?
+                                 parameters.mesh.n_contact_nodes(dim) :
+                                 0.;
+    return seconds_of_process + 3e-5 * n +
+           n_made * (factors + n_responses * stage) + n_stages * stage;
   }
 
 

@@ -335,22 +335,21 @@ namespace ThermoContact
 
 
     /**
-     * Run for which the cheaper solver is chosen: not this one, so that one
-     * that goes on to a later T has the same solver.
+     * Unknowns from which on iterations cost less than factors, within a factor
+     * of two: 250 stages in 50 steps take some ten seconds there, measured. A
+     * number that is known before the run, and the same on every machine.
      */
-    constexpr double n_steps_of_choice  = 50.;
-    constexpr double n_stages_of_choice = 250.;
-
-    /** Seconds that iterations have to save: factors always solve. */
-    constexpr double least_gain = 10.;
+    double
+    most_unknowns_of_factors(const unsigned int dim)
+    {
+      return dim == 2 ? 13000. : 3000.;
+    }
 
 
 
     LinearSolver
     resolve_linear_solver(const Parameters  &parameters,
                           const SceneFields &fields,
-                          const Material    &material,
-                          const bool         has_contact,
                           const std::string &needs_factors)
     {
       const SolverParameters &solver = parameters.solver;
@@ -359,15 +358,8 @@ namespace ThermoContact
                           false,
                           solver.linear_tolerance.value_or(
                             Tolerances::default_residual),
-                          {},
                           needs_factors,
                           needs_factors};
-      const double            n_unknowns =
-        parameters.mesh.n_nodes(dim) * fields.n_components(dim);
-      const SolverCost factors =
-                         cost_of_factors(parameters, n_unknowns, has_contact),
-                       iterations =
-                         cost_of_iterations(parameters, material, n_unknowns);
       if (solver.linear_solver != "automatic")
         {
           result.is_iterative = solver.linear_solver == "iterative";
@@ -377,22 +369,16 @@ namespace ThermoContact
         result.is_along_rod = dim == 1;
       else
         {
-          const auto seconds = [&](const SolverCost &cost) {
-            return cost.seconds(n_step_sizes(parameters, n_steps_of_choice),
-                                n_stages_of_choice);
-          };
-          result.is_iterative =
-            seconds(iterations) + least_gain < seconds(factors);
-          result.reason = text(significant(n_unknowns, 3),
-                               " unknowns, ",
-                               n_stages_of_choice,
-                               " stages about ",
-                               significant(seconds(factors), 2),
-                               " s by factors, ",
-                               significant(seconds(iterations), 2),
-                               " s by iterations");
+          const double n_unknowns = parameters.mesh.n_nodes(dim) *
+                                    fields.n_components(dim),
+                       most   = most_unknowns_of_factors(dim);
+          result.is_iterative = n_unknowns > most;
+          result.reason =
+            text(significant(n_unknowns, 3),
+                 " unknowns, ",
+                 result.is_iterative ? "more than " : "not more than ",
+                 most);
         }
-      result.cost = result.is_iterative ? iterations : factors;
       return result;
     }
   } // namespace
@@ -442,8 +428,6 @@ namespace ThermoContact
     , linear_solver(
         resolve_linear_solver(parameters,
                               fields,
-                              material,
-                              contact.law->is_active(),
                               reason_for_factors(parameters,
                                                  scheme,
                                                  is_fixed_point,

@@ -210,7 +210,7 @@ namespace ThermoContact
                   {"Solver/Fixed point tolerance",
                    "Solver/Fixed point iterations"},
                   "Solver/Step solver = monolithic");
-    unused.add_if(scene.linear_solver.has_matrices(),
+    unused.add_if(!scene.linear_solver.is_iterative,
                   {"Solver/Linear tolerance"},
                   "Solver/Linear solver = direct");
     return unused.entries;

@@ -141,15 +141,10 @@ def check_memory_of_study():
         time = re.search(r"processor time: about ([\d:]+)", screen)[1].split(":")
         seconds.append(sum(int(part) * 60**i for i, part in enumerate(reversed(time))))
     print("time of a hundred times as many steps:", 50 < seconds[1] / seconds[0] < 150 or seconds)
-    # squares of degree 1: iterations save ten seconds in 250 stages (doc/bodies.md)
-    def costs_more_by_factors(n, sizes):
-        unknowns = 2 * (n + 1)**2
-        stage, other = 2e-8 * unknowns**1.4, 1.4e-6 * unknowns
-        return -10 + 1e-5 * 4 / 9 * unknowns + sizes * (2e-7 * unknowns**1.5 + (n + 1) * stage) + (
-            250 * stage) > 1e-5 * unknowns + (250 + 0.1 * sizes) * other
+    # squares of degree 1: iterations beyond 13000 unknowns, whatever the steps (doc/bodies.md)
     solvers = []
-    for step, sizes in ((0.1, 1), ("automatic", 1 + 0.25 * 50)):
-        first = next(n for n in range(999) if costs_more_by_factors(n, sizes))
+    first = next(n for n in range(999) if 2 * (n + 1)**2 > 13000)
+    for step in (0.1, "automatic"):
         solvers += [re.search(r"solver +(\w+)", run(1, Path("not-made"), "--check", "study.prm", *program.settings((
             "Dimension=2", "Mesh/Width=1", "Mesh/Degree=1", "Model/Fields=displacement", f"Mesh/Cells={n}",
             "Mesh/Cells across=0", f"Time/Step size={step}")))[1])[1] for n in (first - 1, first)]

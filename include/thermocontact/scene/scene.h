@@ -12,7 +12,6 @@
 #include <thermocontact/method/rest_profile.h>
 #include <thermocontact/method/scheme.h>
 #include <thermocontact/scene/scheme_choice.h>
-#include <thermocontact/scene/solver_cost.h>
 
 #include <algorithm>
 #include <cmath>
@@ -317,7 +316,6 @@ namespace ThermoContact
 
     double tolerance; ///< relative residual; of the iterative one
 
-    SolverCost  cost;
     std::string reason; ///< of the choice
 
     /** What of the scene needs sparse factors; empty: nothing does. */
