@@ -185,6 +185,7 @@ namespace ThermoContact
     const unsigned int n = laws.size();
     pressure.resize(n, 0.);
     slopes_.assign(n, 0.);
+    tangents_.assign(n, AffineLaw());
     if (std::any_of(free.begin(), free.begin() + n, [](const double x) {
           return std::isnan(x);
         }))
@@ -216,6 +217,7 @@ namespace ThermoContact
         const NodalPressure p = laws[i].resolve(z[i], receptance(i, i));
         pressure[i]           = p.pressure;
         slopes_[i]            = p.tangent.slope(receptance(i, i));
+        tangents_[i]          = p.tangent;
       }
     return n_sets;
   }

@@ -55,9 +55,13 @@ namespace ThermoContact
   Reset<dim>::Reset(Body<dim> &body)
     : body(body)
     , inertia(
-        make_equilibrium(body, Equilibrium<dim>::Matrix::inertia, counters_))
+        std::make_unique<Equilibrium<dim>>(body,
+                                           Equilibrium<dim>::Matrix::inertia,
+                                           counters_))
     , stiffness(
-        make_equilibrium(body, Equilibrium<dim>::Matrix::stiffness, counters_))
+        std::make_unique<Equilibrium<dim>>(body,
+                                           Equilibrium<dim>::Matrix::stiffness,
+                                           counters_))
   {}
 
 
@@ -112,7 +116,8 @@ namespace ThermoContact
   Reset<dim>::provide_adiabatic_nodes()
   {
     if (!adiabatic_nodes)
-      adiabatic_nodes = make_node_equilibrium(body, 1., counters_, true);
+      adiabatic_nodes =
+        std::make_unique<NodeEquilibrium<dim>>(body, 1., counters_, true);
     return *adiabatic_nodes;
   }
 
@@ -255,22 +260,13 @@ namespace ThermoContact
   void
   Reset<dim>::set_static_displacement(State &state)
   {
-    // What iterations leave of the forces would move the body in the first
-    // stage, however short that is: once more, relative to what is left.
-    const Vector       load = momentum_load(state.load_time);
-    Vector             change(state.displacement);
-    const unsigned int n_passes =
-      body.scene.linear_solver.has_matrices() ? 1 : 2;
-    for (unsigned int i = 0; i < n_passes; ++i)
-      {
-        const Vector         r = forces(state, load);
-        std::vector<NodeLaw> laws;
-        std::vector<double>  position;
-        get_node_laws(body, state, laws, position);
-        stiffness->solve(
-          &r, laws, position, 1., change, state.contact_pressure);
-        state.displacement += change;
-      }
+    const Vector         r = forces(state, momentum_load(state.load_time));
+    Vector               change(state.displacement);
+    std::vector<NodeLaw> laws;
+    std::vector<double>  position;
+    get_node_laws(body, state, laws, position);
+    stiffness->solve(&r, laws, position, 1., change, state.contact_pressure);
+    state.displacement += change;
   }
 
 
@@ -351,7 +347,8 @@ namespace ThermoContact
     const ContactEnd<dim> &end = body.contact_end();
     std::vector<double>   &p   = state.contact_pressure;
     if (!static_nodes)
-      static_nodes = make_node_equilibrium(body, 1., counters_);
+      static_nodes =
+        std::make_unique<NodeEquilibrium<dim>>(body, 1., counters_);
     get_node_laws(body, state, node_laws, node_positions);
     const std::vector<double> change =
       static_nodes->solve(node_forces(state), node_laws, node_positions, p);
@@ -386,7 +383,9 @@ namespace ThermoContact
     std::vector<double> &p = state.contact_pressure;
     if (!viscous_nodes)
       viscous_nodes =
-        make_node_equilibrium(body, body.scene.material.viscosity, counters_);
+        std::make_unique<NodeEquilibrium<dim>>(body,
+                                               body.scene.material.viscosity,
+                                               counters_);
     get_velocity_laws(body, state, is_closed, node_laws);
     for (unsigned int i = 0; i < p.size(); ++i)
       p[i] = is_closed[i] ? node_laws[i].without_pull(p[i]) : 0.;

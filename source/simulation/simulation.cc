@@ -370,10 +370,9 @@ namespace ThermoContact
   void
   Simulation<dim>::take_warnings()
   {
-    for (const auto &new_ones :
-         {integrator->stage_solver().take_warnings(), reset.take_warnings()})
-      for (const std::string &warning : new_ones)
-        history_.warn(warning);
+    for (const std::string &warning :
+         integrator->stage_solver().take_warnings())
+      history_.warn(warning);
   }
 
 

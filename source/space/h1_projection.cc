@@ -12,6 +12,7 @@
 
 #include <deal.II/fe/fe_tools.h>
 
+#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
@@ -179,9 +180,8 @@ namespace ThermoContact
                           FixedProduct{product, fixed},
                           correction,
                           rhs,
-                          diagonal,
-                          allowed / rhs.l2_norm(),
-                          20000);
+                          DiagonalMatrix<Vector>(diagonal),
+                          allowed / rhs.l2_norm());
       values += correction;
     }
   } // namespace

@@ -14,12 +14,10 @@ namespace ThermoContact
                        const Discretization<dim> &discretization)
     {
       if constexpr (dim > 1)
-        if (!scene.linear_solver.has_matrices())
-          return std::make_unique<const CellProducts<dim, double>>(
-            scene, discretization);
+        return std::make_unique<const CellProducts<dim, double>>(
+          scene, discretization);
       return nullptr;
     }
-
   } // namespace
 
 
@@ -33,7 +31,9 @@ namespace ThermoContact
     , material(scene.material)
     , is_along_rod(scene.linear_solver.is_along_rod)
     , matrices_(matrices)
-    , cell_products_(make_cell_products(scene, discretization))
+    , cell_products_(matrices == nullptr ?
+                       make_cell_products(scene, discretization) :
+                       nullptr)
     , heat_scratch(discretization.make_vector(Field::temperature))
     , momentum_scratch(discretization.make_vector(Field::displacement))
   {

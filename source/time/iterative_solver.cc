@@ -12,7 +12,8 @@ namespace ThermoContact
 {
   template <int dim>
   IterativeSolver<dim>::IterativeSolver(const Body<dim> &body)
-    : body(body)
+    : ContactPort<dim>(body)
+    , body(body)
     , stage(body, warnings)
   {}
 
@@ -76,36 +77,22 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::solve(const std::vector<AffineLaw> &laws,
-                              const bool                    is_last,
-                              std::vector<double>          &position,
-                              std::vector<double>          &pressure)
+  IterativeSolver<dim>::solve_system(const bool is_last)
   {
     const double tolerance = body.scene.linear_solver.tolerance;
-    stage.set_laws(laws);
     count(stage.solve(
       is_last ? tolerance : std::max(tolerance, Tolerances::loose_residual)));
-    stage.get_pressures(pressure);
-    stage.get_positions(position);
   }
 
 
 
   template <int dim>
   unsigned int
-  IterativeSolver<dim>::solve_contact(const std::vector<NodeLaw> &laws,
-                                      const std::vector<double>  &start,
-                                      const double                factor,
-                                      std::vector<double>        &pressure)
+  IterativeSolver<dim>::meet_laws(std::vector<double> &pressure)
   {
-    stage.set_interface(start, factor);
-    stage.get_positions(positions);
-    return solve_by_tangents(*this,
-                             laws,
-                             stage.receptances(),
-                             Tolerances::rounding_of_solution,
-                             positions,
-                             pressure);
+    this->scale = stage.length();
+    return this->solve_contact(
+      stage.forces(), laws, start, factor, stage.velocity(), pressure);
   }
 
 
@@ -115,13 +102,14 @@ namespace ThermoContact
   IterativeSolver<dim>::law_at(const std::vector<double> &coefficient)
   {
     stage.set_exchange(coefficient);
-    n_sets += solve_contact(laws, start, factor, end_pressures);
+    n_sets += meet_laws(end_pressures);
     std::vector<double> result;
     for (unsigned int i = 0; i < laws.size(); ++i)
-      result.push_back(coefficient_of_node(*body.scene.heat.exchange,
-                                           laws[i],
-                                           laws[i].position(positions[i]),
-                                           end_pressures[i]));
+      result.push_back(
+        coefficient_of_node(*body.scene.heat.exchange,
+                            laws[i],
+                            laws[i].position(this->positions()[i]),
+                            end_pressures[i]));
     return result;
   }
 
@@ -186,8 +174,8 @@ namespace ThermoContact
             NodeLaw(body.law()).tangent_of_pressure(pressure[i]).compliance;
         displacement[i] *= -1.;
       }
-    stage.set_interface(displacement, stage.length());
-    stage.set_laws(laws);
+    this->scale = stage.length();
+    this->set_tangents(laws, displacement, stage.length());
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     count(stage.solve(Tolerances::estimate_residual,
                       IterativeStage<dim>::Measure::of_start));
@@ -221,12 +209,11 @@ namespace ThermoContact
     rates.start(known);
     if (mode != ContactMode::open)
       rates.pressure = known.contact_pressure;
-    stage.prepare(
-      known, tau, heat_load, momentum_load, rates.pressure, has_heat);
+    stage.prepare(known, tau, heat_load, momentum_load, rates.pressure);
     factor = get_stage_laws(body, known, tau, mode, rates.held_at, laws, start);
     n_sets = 0;
     if (body.scene.heat.exchange->is_constant())
-      n_sets = solve_contact(laws, start, factor, rates.pressure);
+      n_sets = meet_laws(rates.pressure);
     else
       {
         end_pressures = rates.pressure;
@@ -248,52 +235,6 @@ namespace ThermoContact
       rates.velocity.copy_locally_owned_data_from(
         stage.unknowns(Field::displacement));
     rates.algebraic_power = algebraic_power(known, tau, rates.pressure);
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::solve_forces(const Vector               &forces,
-                                     const std::vector<NodeLaw> &laws,
-                                     const std::vector<double>  &position,
-                                     const double                factor,
-                                     Vector                     &y,
-                                     std::vector<double>        &pressure)
-  {
-    const StopWatch watch(counters_.solve_seconds);
-    const State     at_rest = body.discretization.make_state();
-    const Vector no_heat = body.discretization.make_vector(Field::temperature);
-    const unsigned int   n_made  = stage.preconditioners().n_made();
-    const bool           is_free = laws.empty();
-    std::vector<double>  none(at_rest.contact_pressure.size(), 0.);
-    std::vector<double> &found = is_free ? none : pressure;
-    found.resize(none.size(), 0.);
-    const auto largest = [&found]() {
-      double result = 0.;
-      for (const double p : found)
-        result = std::max(result, std::abs(p));
-      return result;
-    };
-    // residuals are compared to forces beside the pressures that are expected:
-    // once more where those were far too large
-    double expected = 0.;
-    do
-      {
-        expected = largest();
-        stage.prepare(at_rest, 1., no_heat, forces, found, false);
-        const unsigned int n_sets =
-          solve_contact(is_free ? std::vector<NodeLaw>(none.size()) : laws,
-                        is_free ? none : position,
-                        factor,
-                        found);
-        if (!is_free)
-          counters_.active_set_iterations += n_sets;
-      }
-    while (largest() < 0.5 * expected);
-    counters_.factorizations += stage.preconditioners().n_made() - n_made;
-    ++counters_.solves;
-    y.copy_locally_owned_data_from(stage.unknowns(Field::displacement));
   }
 
 

@@ -13,8 +13,9 @@
 // 1e-12; the same if every other one is doubled by the preconditioner.
 
 #include <thermocontact/space/conjugate_gradients.h>
-#include <thermocontact/time/flexible_gmres.h>
+#include <thermocontact/space/flexible_gmres.h>
 
+#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/vector.h>
 
@@ -64,7 +65,7 @@ namespace
                         SecondDifference(),
                         x,
                         b,
-                        ones,
+                        dealii::DiagonalMatrix<dealii::Vector<double>>(ones),
                         1e-12,
                         max_iterations);
     return error_of(x);

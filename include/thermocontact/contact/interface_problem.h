@@ -50,9 +50,17 @@ namespace ThermoContact
       return slopes_;
     }
 
+    /** Of the laws there. */
+    const std::vector<AffineLaw> &
+    tangents() const
+    {
+      return tangents_;
+    }
+
   private:
-    std::vector<double> z; ///< scratch
-    std::vector<double> slopes_;
+    std::vector<double>    z; ///< scratch
+    std::vector<double>    slopes_;
+    std::vector<AffineLaw> tangents_;
   };
 
 

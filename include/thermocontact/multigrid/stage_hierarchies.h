@@ -4,6 +4,7 @@
 #define thermocontact_multigrid_stage_hierarchies_h
 
 #include <thermocontact/multigrid/stage_multigrid.h>
+#include <thermocontact/space/linear_system.h>
 
 #include <array>
 #include <list>
@@ -17,7 +18,7 @@ namespace ThermoContact
    * last: step sizes come back.
    */
   template <int dim>
-  class StageHierarchies
+  class StageHierarchies : public Preconditioner
   {
   public:
     /** @param body borrowed */
@@ -56,12 +57,28 @@ namespace ThermoContact
     void
     set_contact(const std::vector<double> &springs);
 
+    /** The same. */
+    void
+    set_springs(const std::vector<double> &springs) override
+    {
+      set_contact(springs);
+    }
+
+    /** The current V-cycle of a field. */
+    void
+    vmult(const Field::Block field, Vector &z, const Vector &r) const override
+    {
+      const Hierarchy &cycles = current();
+      (field == Field::temperature ? cycles.heat : cycles.momentum)
+        ->vmult(z, r);
+    }
+
     /**
      * What has been made so far: preconditioners of stage lengths and, for sets
      * of contact nodes, their coarsest levels.
      */
     unsigned int
-    n_made() const
+    n_made() const override
     {
       return n_made_;
     }

@@ -156,18 +156,11 @@ namespace ThermoContact
     bool
     moves_at_once() const;
 
-    /** Factors and responses so far, and what an iterative solver made. */
+    /** Factors, responses and iterations so far. */
     const SolverCounters &
     counters() const
     {
       return counters_;
-    }
-
-    /** What the user is to know since the last call. */
-    std::vector<std::string>
-    take_warnings()
-    {
-      return stiffness->take_warnings();
     }
 
     /** Whether inertia, stiffness, heat and adiabatic nodes are factorised. */

@@ -7,7 +7,6 @@
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
@@ -16,36 +15,40 @@
 namespace ThermoContact
 {
   /**
-   * Solves a symmetric positive definite system with the diagonal as
-   * preconditioner.
+   * Solves a symmetric positive definite system.
    *
    * @param what of which it is the solution, for the message
    * @param x out
+   * @param preconditioner with vmult(), symmetric
    * @param tolerance residual relative to @p b
+   * @return number of iterations
    * @throw ComputationError if that is not reached in @p max_iterations
    */
-  template <typename VectorType, typename Matrix>
-  void
-  conjugate_gradients(const std::string &what,
-                      const Matrix      &matrix,
-                      VectorType        &x,
-                      const VectorType  &b,
-                      const VectorType  &inverse_diagonal,
-                      const double       tolerance,
-                      const unsigned int max_iterations = 10000)
+  template <typename VectorType, typename Matrix, typename Preconditioner>
+  unsigned int
+  conjugate_gradients(const std::string    &what,
+                      const Matrix         &matrix,
+                      VectorType           &x,
+                      const VectorType     &b,
+                      const Preconditioner &preconditioner,
+                      const double          tolerance,
+                      const unsigned int    max_iterations = 100000)
   {
     x                 = 0.;
     const double size = b.l2_norm();
     if (size == 0.)
-      return;
+      return 0;
     dealii::SolverControl control(max_iterations,
                                   tolerance * size,
                                   false,
                                   false);
     try
       {
-        dealii::SolverCG<VectorType>(control).solve(
-          matrix, x, b, dealii::DiagonalMatrix<VectorType>(inverse_diagonal));
+        dealii::SolverCG<VectorType>(control).solve(matrix,
+                                                    x,
+                                                    b,
+                                                    preconditioner);
+        return control.last_step();
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {

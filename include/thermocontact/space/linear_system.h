@@ -3,16 +3,48 @@
 #ifndef thermocontact_space_linear_system_h
 #define thermocontact_space_linear_system_h
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/rod/rod_factors.h>
 #include <thermocontact/space/direct_solver.h>
+#include <thermocontact/space/flexible_gmres.h>
 #include <thermocontact/space/system_coefficients.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
+#include <deal.II/lac/full_matrix.h>
+
 #include <array>
+#include <cmath>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace ThermoContact
 {
+  /** About the inverses of the blocks of a system without factors, symmetric.
+   */
+  class Preconditioner
+  {
+  public:
+    virtual ~Preconditioner() = default;
+
+    /**
+     * As LinearSystem::set_springs().
+     *
+     * @param springs empty: there are none, and nothing is kept of others
+     */
+    virtual void
+    set_springs(const std::vector<double> &springs) = 0;
+
+    virtual void
+    vmult(const Field::Block field, Vector &z, const Vector &r) const = 0;
+
+    /** What has been made so far. */
+    virtual unsigned int
+    n_made() const = 0;
+  };
+
+
+
   /**
    * A linear system of SystemCoefficients, made for many right-hand sides. Rows
    * of constrained degrees of freedom say that the unknown vanishes.
@@ -20,10 +52,15 @@ namespace ThermoContact
    * There are three ways to solve it. The blocks along a rod in one process are
    * eliminated one after the other; sparse factors (KLU) are for all other
    * bodies that have matrices, for rods whose blocks grow on the way, and for
-   * those with a diagonal; bodies without matrices have conjugate gradients
-   * with the diagonal, for systems of one field. The fields of a system are one
-   * matrix if each acts on the other; if the displacement does not act on the
-   * temperature, the rows of heat are solved first.
+   * those with a diagonal; bodies without matrices have Krylov's methods, GMRES
+   * for a stage and conjugate gradients for one field. The rows of the contact
+   * end have a full inverse if there are matrices.
+   *
+   * The fields of a system are one matrix if each acts on the other; if the
+   * displacement does not act on the temperature, the rows of heat are solved
+   * first. Where heat does not flow, full inverses and conjugate gradients
+   * solve for the displacement of a system of both fields, with the temperature
+   * eliminated: $E+c_hc_s/h_m\,a^2D^TM^{-1}D$.
    *
    * The sum of a mass and a stiffness has the mass to the last digit of the
    * stiffness alone, 1e-14 of it with 250 cells: as if a friction were there,
@@ -38,20 +75,23 @@ namespace ThermoContact
     enum class Rows
     {
       all,
-      off_contact ///< without displacements along x of the contact nodes
+      contact_end ///< displacements along x of all nodes of the contact end
     };
 
     /**
      * @param equations borrowed
-     * @param coefficients of the system; without matrices those of one field
+     * @param coefficients of the system; of the contact end and for conjugate
+     *   gradients those of one field, or of both without conduction
      * @param diagonal added to the heat block; null: none
-     * @param rows off_contact: of bodies without matrices alone
+     * @param preconditioner of iterations, borrowed; null: the diagonal, with
+     *   which there are conjugate gradients alone
      * @throw ComputationError if a matrix cannot be factorised
      */
     LinearSystem(const ThermoviscoelasticOperator<dim> &equations,
                  const SystemCoefficients              &coefficients,
                  const Vector                          *diagonal = nullptr,
-                 const Rows                             rows     = Rows::all);
+                 const Rows                             rows     = Rows::all,
+                 Preconditioner *preconditioner                  = nullptr);
 
     /**
      * Solves for the fields of the system; vectors of the other field are not
@@ -68,19 +108,123 @@ namespace ThermoContact
           Vector &temperature,
           Vector &displacement);
 
-    /** The same for a system of one field. */
+    /**
+     * The same for a system of one field, or of the displacement with the
+     * temperature eliminated.
+     *
+     * @param solution out
+     * @param rhs zero in constrained rows and those that are not solved for
+     * @param tolerance residual that iterations may leave, as a part of what
+     *   relaxed springs leave of @p rhs
+     */
     void
-    solve(Vector &solution, const Vector &rhs) const
+    solve(Vector       &solution,
+          const Vector &rhs,
+          const double  tolerance = Tolerances::rounding_of_solution) const
     {
-      solve_field(own_field(), solution, rhs);
+      solve_field(own_field(), solution, rhs, tolerance);
+    }
+
+    /** It is solved to rounding at once, and has no springs. */
+    bool
+    has_factors() const
+    {
+      return equations.cell_products() == nullptr;
+    }
+
+    /**
+     * Adds springs to the rows of the contact nodes in a system of the
+     * displacement, or of both fields, that has no factors.
+     *
+     * @param new_springs stiffness; infinite: the node is held; empty: there
+     *   are none
+     * @param new_relaxed values at which they have no force
+     */
+    void
+    set_springs(const std::vector<double> &new_springs,
+                const std::vector<double> &new_relaxed);
+
+    /** Heat leaves at the contact nodes, by rows; for GMRES. Empty: none. */
+    void
+    set_conductance(const std::vector<double> &new_conductance);
+
+    /** @p left = @p rhs - A @p solution, without springs. */
+    void
+    residual(Vector &left, const Vector &solution, const Vector &rhs) const;
+
+    /** How residuals of both fields are measured, row by row, (D8.4). */
+    struct Weights
+    {
+      BlockVector weights;
+      BlockVector inverses;
+    };
+
+    /** What GMRES has done. */
+    struct Iterations
+    {
+      unsigned int n        = 0;
+      double       residual = 0.; ///< weighted
+      bool         is_rounding =
+        false; ///< the residual is above the tolerance, and nothing but that
+    };
+
+    /**
+     * Solves for both fields from the present solution on by GMRES,
+     * preconditioned from the right by blocks, the temperature first (D8.2).
+     *
+     * @param solution in: where to start, held nodes where they are held
+     * @param rhs without springs
+     * @param tolerance of the weighted residual; what rounding leaves may be
+     *   more
+     * @param is_relative the tolerance is one of the first residual
+     * @throw ComputationError if there are too many iterations, or if rounding
+     *   leaves more than Tolerances::loose_residual
+     */
+    Iterations
+    solve(BlockVector       &solution,
+          const BlockVector &rhs,
+          const Weights     &weights,
+          const double       tolerance,
+          const bool         is_relative);
+
+    /** Residuals are computed anew: solution or right-hand side is another. */
+    void
+    restart();
+
+    /** What the solution leaves of the right-hand side, without springs. */
+    const BlockVector &
+    left(const BlockVector &solution, const BlockVector &rhs);
+
+    /** $-c_h/h_m\,aM^{-1}Du$, the temperature that is eliminated. */
+    void
+    heat_of_motion(Vector &temperature, const Vector &displacement) const;
+
+    /** Diagonal of a system that has no factors, without springs. */
+    const Vector &
+    row_diagonal() const;
+
+    /** Residual of iterations that solve to rounding, as of solve(). */
+    double
+    tolerance() const
+    {
+      return heat ? Tolerances::adiabatic_residual :
+                    Tolerances::rounding_of_solution;
+    }
+
+    /** Of conjugate gradients so far. */
+    unsigned int
+    n_iterations() const
+    {
+      return n_iterations_;
     }
 
     /** Number of matrices that were factorised. */
     unsigned int
     n_factorizations() const
     {
-      return inverse_diagonal.size() > 0 ? 0 :
-             is_whole()                  ? 1 :
+      return heat ? heat->system->n_factorizations() :
+             !has_factors() || inverse.m() > 0 ? 0 :
+             is_whole()                        ? 1 :
                           has(Field::temperature) + has(Field::displacement);
     }
 
@@ -103,20 +247,62 @@ namespace ThermoContact
     const SystemCoefficients               coefficients;
     const Rows                             rows;
     const double                           scale; ///< $\tau$ of a stage
-    Vector                                 diagonal;
+    std::optional<Vector>                  diagonal;
     double                                 refused_growth_ = 0.;
-    bool                                   is_corrected;
+
+    /** The block of heat at once, whose unknowns are eliminated. */
+    struct Elimination
+    {
+      std::unique_ptr<const LinearSystem<dim>> system;
+      Vector                                   sources;
+      Vector                                   temperature;
+    };
+
+    std::unique_ptr<Elimination> heat; ///< or null
+
+    /** A matrix of both fields, and vectors of its numbering. */
+    struct Whole
+    {
+      DirectSolver factors;
+      SystemVector rhs;
+      SystemVector solution;
+    };
 
     // the whole of it, or for each field; of a rod, sparse, or neither
     std::unique_ptr<const RodFactors<2>>                rod_whole;
     std::array<std::unique_ptr<const RodFactors<1>>, 2> rod_fields;
-    std::unique_ptr<DirectSolver>                       whole;
+    std::unique_ptr<Whole>                              whole;
     std::array<std::unique_ptr<DirectSolver>, 2>        fields;
-    Vector                                              inverse_diagonal;
+    FullMatrix<double>                                  inverse;
 
-    SystemVector system_rhs, system_solution;
-    Vector       heat_residual, heat_correction;
-    Vector       momentum_residual, momentum_correction;
+    // of iterations
+    Preconditioner *const         preconditioner;
+    mutable std::optional<Vector> matrix_diagonal;  ///< made when needed
+    std::vector<double>           springs, relaxed; ///< of the contact nodes
+    std::vector<double>           conductance;      ///< of them; empty: none
+    mutable unsigned int          n_iterations_ = 0;
+
+    /** Of GMRES. */
+    struct Krylov
+    {
+      FlexibleGmres gmres{60};
+      BlockVector   left; ///< without springs
+      BlockVector   scaled;
+      BlockVector   correction;
+      bool          has_left         = false;
+      double        largest_residual = 0.; ///< at a start, since restart()
+    };
+
+    std::unique_ptr<Krylov> krylov;
+
+    /** Of solutions that are corrected by their residuals. */
+    struct Correction
+    {
+      Vector heat_residual, heat;
+      Vector momentum_residual, momentum;
+    };
+
+    std::unique_ptr<Correction> correction; ///< or null
 
     bool
     has(const Field::Block field) const
@@ -124,11 +310,12 @@ namespace ThermoContact
       return coefficients.has(field) && equations.space().has_field(field);
     }
 
-    /** Of a system of one field. */
+    /** Of a system of one field, or with the other one eliminated. */
     Field::Block
     own_field() const
     {
-      return has(Field::temperature) ? Field::temperature : Field::displacement;
+      return has(Field::displacement) ? Field::displacement :
+                                        Field::temperature;
     }
 
     /** Each of its fields acts on the other. */
@@ -144,6 +331,13 @@ namespace ThermoContact
       return rod_whole || rod_fields[0] || rod_fields[1];
     }
 
+    /** A contact node that a spring of infinite stiffness holds. */
+    bool
+    is_held(const unsigned int node) const
+    {
+      return std::isinf(springs[node]);
+    }
+
     /** False if blocks grow: nothing is factorised then. */
     bool
     factorize_rod();
@@ -151,13 +345,64 @@ namespace ThermoContact
     void
     factorize_sparse();
 
+    /** Of the contact end. */
     void
-    set_inverse_diagonal();
+    invert();
+
+    /** Sets unknowns that are not solved for to zero. */
+    void
+    restrict_rows(Vector &vector) const;
+
+    /** @p y = A @p x, of the rows that are solved for, without springs. */
+    void
+    product(Vector &y, const Vector &x) const;
 
     void
     solve_field(const Field::Block field,
                 Vector            &solution,
-                const Vector      &rhs) const;
+                const Vector      &rhs,
+                const double       tolerance) const;
+
+    /** The product of GMRES without springs. */
+    void
+    apply(BlockVector &y, const BlockVector &x) const;
+
+    /** The force of the spring of a row at this value. */
+    double
+    spring_force(const unsigned int node, const double value) const
+    {
+      return springs[node] * (value - relaxed[node]);
+    }
+
+    /**
+     * Residual with springs, weighted.
+     *
+     * @return what rounding of springs contributes to its norm
+     */
+    double
+    compute_scaled(const BlockVector &solution,
+                   const BlockVector &rhs,
+                   const Weights     &weights);
+
+    /** Improves the solution until the estimate of GMRES is small enough. */
+    FlexibleGmres::Result
+    add_correction(BlockVector   &solution,
+                   const Weights &weights,
+                   const double   tolerance);
+
+    [[noreturn]] void
+    give_up(const double       residual,
+            const double       tolerance,
+            const unsigned int n_iterations) const;
+
+    class WeightedMatrix;
+    class WeightedPreconditioner;
+
+    void
+    solve_by_iterations(const Field::Block field,
+                        Vector            &solution,
+                        const Vector      &rhs,
+                        const double       tolerance) const;
 
     /** solve() without correction. */
     void

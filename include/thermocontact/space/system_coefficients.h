@@ -69,6 +69,14 @@ namespace ThermoContact
   inline constexpr SystemCoefficients
     motion_by_stiffness{0., 0., 0., 0., 0., 1., 1.};
 
+  /** The same with the heat of the motion, which does not flow, (C4.4). */
+  inline constexpr SystemCoefficients
+    motion_at_once{1., 0., 1., 1., 0., 0., 1.};
+
+  /** $S$: displacements at one instant. */
+  inline constexpr SystemCoefficients
+    motion_without_heat{0., 0., 0., 0., 0., 0., 1.};
+
   /** A stage of length @p tau for $(\theta',v)$, (D2.2). */
   inline SystemCoefficients
   stage_coefficients(const double tau)

@@ -56,12 +56,13 @@ namespace ThermoContact
     State              obstacle; ///< gaps alone, at the end of the step
     Vector             heat_load;
     Vector             momentum_load;
-    Vector             acceleration; ///< of an end that rests
-    FullMatrix<double> receptance;   ///< $X$ of (C6.3)
+    Vector             acceleration;   ///< of an end that rests
+    FullMatrix<double> all_receptance; ///< $X$ of (C6.3)
+    FullMatrix<double> receptance;     ///< its square part
 
     /** At fixed entropy. */
-    std::unique_ptr<DirectNodeEquilibrium<dim>> nodes;
-    std::unique_ptr<ConservingContact>          contact;
+    std::unique_ptr<NodeEquilibrium<dim>> nodes;
+    std::unique_ptr<ConservingContact>    contact;
 
     std::vector<NodeLaw> laws;  ///< of the contact nodes in the step
     std::vector<double>  start; ///< their positions at the beginning

@@ -5,6 +5,7 @@
 
 #include <thermocontact/contact/interface_law.h>
 #include <thermocontact/space/body.h>
+#include <thermocontact/time/contact_port.h>
 #include <thermocontact/time/stage_solver.h>
 
 #include <memory>
@@ -30,14 +31,23 @@ namespace ThermoContact
       stiffness ///< $(\zeta+1)S$, of a body without inertia
     };
 
-    virtual ~Equilibrium() = default;
+    /**
+     * @param body borrowed
+     * @param counters of what is made; borrowed
+     */
+    Equilibrium(const Body<dim> &body,
+                const Matrix     matrix,
+                SolverCounters  &counters);
 
     /** Makes what is kept and is not there yet. Collective. */
-    virtual void
-    provide() = 0;
+    void
+    provide();
 
-    virtual bool
-    is_provided() const = 0;
+    bool
+    is_provided() const
+    {
+      return system != nullptr;
+    }
 
     /**
      * @param forces $r$, constrained rows are zero; null: there are none
@@ -48,33 +58,22 @@ namespace ThermoContact
      * @throw ComputationError if K cannot be factorised or the pressures are
      *   not found
      */
-    virtual void
+    void
     solve(const Vector               *forces,
           const std::vector<NodeLaw> &laws,
           const std::vector<double>  &position,
           const double                factor,
           Vector                     &y,
-          std::vector<double>        &pressure) = 0;
+          std::vector<double>        &pressure);
 
-    /** What the user is to know since the last call. */
-    virtual std::vector<std::string>
-    take_warnings()
-    {
-      return {};
-    }
+  private:
+    const Body<dim>                   &body;
+    const Matrix                       matrix;
+    SolverCounters                    &counters;
+    std::unique_ptr<Preconditioner>    preconditioner; ///< or null
+    std::unique_ptr<LinearSystem<dim>> system;
+    std::unique_ptr<ContactPort<dim>>  port;
   };
-
-
-
-  /**
-   * @param body borrowed
-   * @param counters of what is made; borrowed
-   */
-  template <int dim>
-  std::unique_ptr<Equilibrium<dim>>
-  make_equilibrium(const Body<dim>                        &body,
-                   const typename Equilibrium<dim>::Matrix matrix,
-                   SolverCounters                         &counters);
 } // namespace ThermoContact
 
 #endif

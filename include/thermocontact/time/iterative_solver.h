@@ -3,8 +3,10 @@
 #ifndef thermocontact_time_iterative_solver_h
 #define thermocontact_time_iterative_solver_h
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/space/body.h>
+#include <thermocontact/time/contact_port.h>
 #include <thermocontact/time/iterative_stage.h>
 #include <thermocontact/time/stage_solver.h>
 
@@ -13,15 +15,13 @@
 namespace ThermoContact
 {
   /**
-   * A stage of a large body: both fields at once and contact by
-   * solve_by_tangents(), without a matrix and without a response for each node.
-   *
-   * With tangents in place of laws the stage is linear, and IterativeStage
-   * solves it, loosely until the laws are met.
+   * A stage of a large body: both fields at once, without a matrix and without
+   * a response for each node. Its contact nodes are those of a ContactPort, for
+   * whose tangents IterativeStage solves it, loosely until the laws are met.
    */
   template <int dim>
   class IterativeSolver : public StageSolver,
-                          private InterfaceOperator,
+                          private ContactPort<dim>,
                           private ExchangeOperator
   {
   public:
@@ -41,19 +41,6 @@ namespace ThermoContact
     {
       return "iterative";
     }
-
-    /**
-     * $(\zeta+1)Sy+Np=r$ of a body without inertia, as Equilibrium::solve().
-     *
-     * @param laws,position empty: no contact
-     */
-    void
-    solve_forces(const Vector               &forces,
-                 const std::vector<NodeLaw> &laws,
-                 const std::vector<double>  &position,
-                 const double                factor,
-                 Vector                     &y,
-                 std::vector<double>        &pressure);
 
     void
     keep_contact(const std::vector<bool>   &is_closed,
@@ -75,8 +62,7 @@ namespace ThermoContact
     IterativeStage<dim>  stage;
     std::vector<NodeLaw> laws;          ///< of a stage
     std::vector<double>  start;         ///< its x without velocity
-    double               factor = 0.;   ///< of IterativeStage::set_interface()
-    std::vector<double>  positions;     ///< x at its end
+    double               factor = 0.;   ///< x per velocity
     std::vector<double>  end_pressures; ///< of the exchange that is tried last
     unsigned int         n_sets = 0;    ///< of tangents for it
 
@@ -86,23 +72,39 @@ namespace ThermoContact
                     const double               tau,
                     const std::vector<double> &pressure) const;
 
-    /**
-     * What is prepared, with contact, from these pressures on.
-     *
-     * @param start,factor of IterativeStage::set_interface()
-     * @return number of sets of tangents
-     */
+    using ContactPort<dim>::solve;
+
+    /** What is prepared, with contact; @return number of sets of tangents. */
     unsigned int
-    solve_contact(const std::vector<NodeLaw> &laws,
-                  const std::vector<double>  &start,
-                  const double                factor,
-                  std::vector<double>        &pressure);
+    meet_laws(std::vector<double> &pressure);
 
     void
-    solve(const std::vector<AffineLaw> &laws,
-          const bool                    is_last,
-          std::vector<double>          &position,
-          std::vector<double>          &pressure) override;
+    solve_system(const bool is_last) override;
+
+    const Vector &
+    left() override
+    {
+      return stage.unsolved(Field::displacement);
+    }
+
+    const Vector &
+    diagonal() const override
+    {
+      return stage.preconditioners().current().diagonals[Field::displacement];
+    }
+
+    void
+    set_springs(const std::vector<double> &springs,
+                const std::vector<double> &relaxed) override
+    {
+      stage.set_springs(springs, relaxed);
+    }
+
+    double
+    rounding() const override
+    {
+      return Tolerances::rounding_of_solution;
+    }
 
     std::vector<double>
     law_at(const std::vector<double> &coefficient) override;

@@ -3,26 +3,23 @@
 #ifndef thermocontact_time_iterative_stage_h
 #define thermocontact_time_iterative_stage_h
 
-#include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/multigrid/stage_hierarchies.h>
 #include <thermocontact/space/body.h>
-#include <thermocontact/time/flexible_gmres.h>
+#include <thermocontact/space/linear_system.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace ThermoContact
 {
   /**
-   * The linear system of a stage of a large body whose contact nodes meet
-   * straight lines, doc/discretisation.md (D8.1), (D8.2), (D8.3), (D8.4),
-   * (C2.10). Those with a compliance add springs to the diagonal of (D2.2), a
-   * rigid one prescribes the velocity that ends at it. GMRES, preconditioned
-   * from the right by one V-cycle for each field, the temperature first, solves
-   * it from the present solution on.
+   * A stage of a large body, doc/discretisation.md (D8.1), (D8.2), (D8.3),
+   * (D8.4): the right-hand side of its LinearSystem and how residuals are
+   * weighted. V-cycles are the preconditioner.
    */
   template <int dim>
   class IterativeStage
@@ -53,15 +50,13 @@ namespace ThermoContact
      *
      * @param pressure that is expected: residuals are compared to the forces
      *   that are left beside it
-     * @param with_heat false: the temperature stays as it is
      */
     void
     prepare(const State               &known,
             const double               stage_length,
             const Vector              &heat_load,
             const Vector              &momentum_load,
-            const std::vector<double> &pressure,
-            const bool                 with_heat);
+            const std::vector<double> &pressure);
 
     /**
      * Instead of a new stage what pressures at the contact nodes alone do.
@@ -77,23 +72,13 @@ namespace ThermoContact
     void
     set_exchange(const std::vector<double> &coefficient);
 
-    /**
-     * What the laws of the contact nodes are relations of:
-     * $x=x_{start}+f\,v$. All are open until set_laws().
-     */
+    /** Springs of the contact nodes, LinearSystem::set_springs(). */
     void
-    set_interface(const std::vector<double> &start, const double factor);
-
-    /**
-     * Receptances of the contact nodes alone, loss of x per unit pressure, by
-     * the diagonal of (D2.2).
-     */
-    std::vector<double>
-    receptances() const;
-
-    /** Puts springs and held nodes in place. */
-    void
-    set_laws(const std::vector<AffineLaw> &new_laws);
+    set_springs(const std::vector<double> &springs,
+                const std::vector<double> &relaxed)
+    {
+      system->set_springs(springs, relaxed);
+    }
 
     /** What residuals are compared to: terms of the stage, or the first one. */
     enum class Measure
@@ -120,15 +105,7 @@ namespace ThermoContact
      *   than 1e-5
      */
     unsigned int
-    solve(const double tolerance, const Measure measure = Measure::of_terms);
-
-    /** Pressures of the solution, 0 at open nodes; (C2.10). */
-    void
-    get_pressures(std::vector<double> &pressure);
-
-    /** x of the contact nodes at the end of the stage. */
-    void
-    get_positions(std::vector<double> &position) const;
+    solve(const double tolerance, const Measure kind = Measure::of_terms);
 
     /** $\tau\theta'$ or $v$. */
     const Vector &
@@ -137,11 +114,25 @@ namespace ThermoContact
       return solution.block(field);
     }
 
+    /** To be changed by contact. */
+    Vector &
+    velocity()
+    {
+      return solution.block(Field::displacement);
+    }
+
+    /** Right-hand side of its rows, without contact. */
+    const Vector &
+    forces() const
+    {
+      return rhs.block(Field::displacement);
+    }
+
     /** What is left of the rows (D8.1), without contact. */
     const Vector &
     unsolved(const Field::Block field) const
     {
-      return residual.block(field);
+      return system->left(solution, rhs).block(field);
     }
 
     /** $\tau$ of the present stage. */
@@ -170,28 +161,17 @@ namespace ThermoContact
     std::vector<std::string> &warnings;
     StageHierarchies<dim>     hierarchies;
 
-    SystemCoefficients     coefficients;
-    double                 tau      = 0.;
-    bool                   has_heat = true;      ///< its temperature is unknown
-    double                 factor   = 0.;        ///< f of set_interface()
-    std::vector<double>    start;                ///< x with $v=0$
-    std::vector<AffineLaw> laws;                 ///< of the contact nodes
-    std::vector<double>    springs;              ///< of rows of (D2.2)
-    std::vector<double>    conductance;          ///< $\tau wk$; empty: none
-    std::vector<double>    excess_temperature;   ///< of nodes at the beginning
-    BlockVector            rhs;                  ///< without contact
-    BlockVector            solution;             ///< $(\tau\theta',v)$
-    BlockVector            residual;             ///< without contact
-    bool                   has_residual = false; ///< it is that of the solution
-    BlockVector            weights;              ///< of the residuals
-    BlockVector            inverse_weights;
-    BlockVector            correction;
-    BlockVector            scaled_residual;
+    double                             tau = 0.;
+    std::unique_ptr<LinearSystem<dim>> system; ///< of this length
 
-    FlexibleGmres krylov;
+    std::vector<double> conductance;        ///< $\tau wk$; empty: none
+    std::vector<double> excess_temperature; ///< of nodes at the beginning
+    BlockVector         rhs;                ///< without contact
+    BlockVector         solution;           ///< $(\tau\theta',v)$
 
-    double largest_residual = 0.; ///< of the present stage, at the start
-    double told_rounding_   = 0.;
+    typename LinearSystem<dim>::Weights measure; ///< of the residuals
+
+    double told_rounding_ = 0.;
 
     /** Local rows of contact nodes without mass; empty: none, or all are. */
     std::vector<bool> massless_rows;
@@ -202,29 +182,9 @@ namespace ThermoContact
       return !massless_rows.empty() && massless_rows[row];
     }
 
-    /** The obstacle of a node is rigid, its velocity prescribed. */
-    bool
-    is_held(const unsigned int node) const
-    {
-      return std::isinf(springs[node]);
-    }
-
-    bool
-    has_contact() const;
-
-    /** The velocity at which the pressure of a node is 0. */
-    double
-    touching_velocity(const unsigned int node) const
-    {
-      return (laws[node].offset - start[node]) / factor;
-    }
-
-    /** The force of a row at this velocity, $\tau w p$ of (C2.10). */
-    double
-    spring_force(const unsigned int node, const double v) const
-    {
-      return springs[node] * (v - touching_velocity(node));
-    }
+    /** Makes the system and the preconditioners of a stage length. */
+    void
+    provide(const double stage_length);
 
     /**
      * Makes residuals relative, doc/discretisation.md (D8.4): one over the root
@@ -251,34 +211,6 @@ namespace ThermoContact
      */
     Sizes
     momentum_sizes(const Vector &rows) const;
-
-    /** @p y = the matrix of the stage without contact times @p x. */
-    void
-    apply(BlockVector &y, const BlockVector &x) const;
-
-    /** If it is not there. */
-    void
-    compute_residual();
-
-    /**
-     * The residual of the present set, with contact and scaled.
-     *
-     * @return what rounding of springs contributes to its norm
-     */
-    double
-    compute_scaled_residual();
-
-    /** Improves the solution until the estimate of GMRES is small enough. */
-    FlexibleGmres::Result
-    add_correction(const double tolerance);
-
-    [[noreturn]] void
-    give_up(const double       residual,
-            const double       tolerance,
-            const unsigned int n_iterations) const;
-
-    class Matrix;
-    class Preconditioner;
   };
 } // namespace ThermoContact
 

@@ -3,14 +3,12 @@
 #ifndef thermocontact_time_node_equilibrium_h
 #define thermocontact_time_node_equilibrium_h
 
-#include <thermocontact/contact/interface_law.h>
-#include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/space/body.h>
+#include <thermocontact/time/contact_port.h>
 #include <thermocontact/time/stage_solver.h>
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -28,7 +26,17 @@ namespace ThermoContact
   class NodeEquilibrium
   {
   public:
-    virtual ~NodeEquilibrium() = default;
+    /**
+     * @param body borrowed
+     * @param factor of the stiffness
+     * @param counters what is factorised is added
+     * @param takes_heat the nodes move at once, and the body takes heat for it,
+     *   (C4.4): $K$ has $a^2D^TM^{-1}D$ added
+     */
+    NodeEquilibrium(const Body<dim> &body,
+                    const double     factor,
+                    SolverCounters  &counters,
+                    const bool       takes_heat = false);
 
     /**
      * @param load $f$ without pressures
@@ -37,11 +45,11 @@ namespace ThermoContact
      * @return $\delta x$
      * @throw ComputationError if the pressures are not found
      */
-    virtual std::vector<double>
+    std::vector<double>
     solve(const std::vector<double>  &load,
           const std::vector<NodeLaw> &laws,
           const std::vector<double>  &position,
-          std::vector<double>        &pressure) = 0;
+          std::vector<double>        &pressure);
 
     /**
      * The same problem differentiated at the solution that was found last, its
@@ -52,100 +60,37 @@ namespace ThermoContact
      * @param closing nodes that touch their local obstacle at this instant and
      *   may have no pressure yet
      */
-    virtual std::vector<double>
+    std::vector<double>
     solve_rates(const std::vector<double>       &load,
                 const std::vector<double>       &rate,
-                const std::vector<unsigned int> &closing) = 0;
+                const std::vector<unsigned int> &closing);
 
     /**
      * Adds $-aM^{-1}D\,\delta u$, the temperature of a body that is deformed at
      * once, (C4.4).
      */
-    virtual void
-    add_heating(const std::vector<double> &change,
-                Vector                    &temperature) const = 0;
-  };
-
-
-
-  /** With $K^{-1}$, for bodies that have matrices. */
-  template <int dim>
-  class DirectNodeEquilibrium : public NodeEquilibrium<dim>
-  {
-  public:
-    /** As make_node_equilibrium(). */
-    DirectNodeEquilibrium(const Body<dim> &body,
-                          const double     factor,
-                          SolverCounters  &counters,
-                          const bool       takes_heat);
-
-    std::vector<double>
-    solve(const std::vector<double>  &load,
-          const std::vector<NodeLaw> &laws,
-          const std::vector<double>  &position,
-          std::vector<double>        &pressure) override;
-
-    std::vector<double>
-    solve_rates(const std::vector<double>       &load,
-                const std::vector<double>       &rate,
-                const std::vector<unsigned int> &closing) override;
-
     void
-    add_heating(const std::vector<double> &change,
-                Vector                    &temperature) const override;
+    add_heating(const std::vector<double> &change, Vector &temperature);
 
     /**
      * $X=K^{-1}\mathrm{diag}(w)$ of (C6.3), displacements of all nodes of the
-     * end per unit pressure at those that have pressures, which come first.
+     * end per unit pressure at those that have pressures, which come first; of
+     * bodies that have matrices.
      */
-    const dealii::FullMatrix<double> &
-    receptance() const
-    {
-      return all_receptance;
-    }
+    FullMatrix<double>
+    receptance();
 
   private:
-    const ContactLaw          &law;
-    dealii::FullMatrix<double> flexibility; ///< $K^{-1}$
-    dealii::FullMatrix<double> all_receptance;
-    dealii::FullMatrix<double> between_pressures; ///< its square part
-    InterfaceProblem           problem;
+    const Body<dim>  &body;
+    const bool        takes_heat;
+    LinearSystem<dim> system;
+    ContactPort<dim>  port;
+    Vector            forces, displacement, heat;
 
-    /** Temperatures per unit displacement of a node; empty: none. */
-    std::vector<Vector> temperature_responses;
-
-    /** $\delta x$ by forces and pressures. */
+    /** Of the nodes of the end. */
     std::vector<double>
-    change_by(const std::vector<double> &free,
-              const std::vector<double> &pressure) const;
-
-    /** Positions, or their rates, with the change by forces. */
-    std::vector<double>
-    moved(const std::vector<double> &position,
-          const std::vector<double> &free) const;
-
-    /** Adds $a^2D^TM^{-1}D$ to K. */
-    void
-    add_heating_to(const Body<dim>            &body,
-                   SolverCounters             &counters,
-                   dealii::FullMatrix<double> &stiffness);
+    changes() const;
   };
-
-
-
-  /**
-   * @param body borrowed
-   * @param factor of the stiffness
-   * @param counters what is factorised is added
-   * @param takes_heat the nodes move at once, and the body takes heat for it,
-   *   (C4.4): $K$ has $a^2D^TM^{-1}D$ added
-   */
-  template <int dim>
-  std::unique_ptr<NodeEquilibrium<dim>>
-  make_node_equilibrium(const Body<dim> &body,
-                        const double     factor,
-                        SolverCounters  &counters,
-                        const bool       takes_heat = false);
 } // namespace ThermoContact
 
 #endif

@@ -60,8 +60,8 @@ namespace ThermoContact
     unsigned int solves    = 0; ///< linear problems of stages
     unsigned int responses = 0; ///< back-substitutions for $W$
 
-    unsigned int linear_iterations     = 0; ///< of Krylov, added up
-    unsigned int max_linear_iterations = 0; ///< of one linear system
+    unsigned int linear_iterations     = 0; ///< with V-cycles, added up
+    unsigned int max_linear_iterations = 0; ///< of one system of a stage
     unsigned int active_set_iterations = 0; ///< sets, added up
 
     double factorization_seconds = 0.; ///< assembly of stage matrices, too

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef thermocontact_time_flexible_gmres_h
-#define thermocontact_time_flexible_gmres_h
+#ifndef thermocontact_space_flexible_gmres_h
+#define thermocontact_space_flexible_gmres_h
 
 #include <thermocontact/base/types.h>
 

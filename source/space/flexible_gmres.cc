@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/time/flexible_gmres.h>
+#include <thermocontact/space/flexible_gmres.h>
 
 #include <cmath>
 
