@@ -62,6 +62,10 @@ namespace ThermoContact
         std::make_unique<Equilibrium<dim>>(body,
                                            Equilibrium<dim>::Matrix::stiffness,
                                            counters_))
+    , at_once(
+        std::make_unique<Equilibrium<dim>>(body,
+                                           Equilibrium<dim>::Matrix::at_once,
+                                           counters_))
   {}
 
 
@@ -73,7 +77,8 @@ namespace ThermoContact
     return {inertia->is_provided(),
             stiffness->is_provided(),
             heat_mass != nullptr,
-            adiabatic_nodes != nullptr};
+            adiabatic_nodes != nullptr,
+            at_once->is_provided()};
   }
 
 
@@ -91,6 +96,8 @@ namespace ThermoContact
       provide_heat_mass();
     if (retained[3])
       provide_adiabatic_nodes();
+    if (retained[4])
+      at_once->provide();
     counters_ = counters;
   }
 
@@ -258,14 +265,14 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::set_static_displacement(State &state)
+  Reset<dim>::set_static_displacement(Equilibrium<dim> &matrix, State &state)
   {
     const Vector         r = forces(state, momentum_load(state.load_time));
     Vector               change(state.displacement);
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
     get_node_laws(body, state, laws, position);
-    stiffness->solve(&r, laws, position, 1., change, state.contact_pressure);
+    matrix.solve(&r, laws, position, 1., change, state.contact_pressure);
     state.displacement += change;
   }
 
@@ -292,7 +299,7 @@ namespace ThermoContact
                                      const std::vector<unsigned int> &closing)
   {
     if (body.scene.material.is_static())
-      set_static_displacement(state);
+      set_static_displacement(*stiffness, state);
     else if (body.scene.contact.is_in_equilibrium())
       settle_static_nodes(state, closing);
   }
@@ -421,54 +428,23 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    /**
-     * Length of the stage in which a static body moves at once, in parts of the
-     * time that heat takes through the body and of $T$: heat does not go far in
-     * it, and rates are within the range of numbers. Without matrices
-     * iterations measure what the heat of the motion leaves unsolved by the
-     * heat that flows in the stage.
-     */
-    double
-    length_of_motion_at_once(const Scene &scene)
-    {
-      const double end_time = scene.parameters.time.end_time;
-      return (scene.linear_solver.has_matrices() ?
-                Tolerances::motion_at_once :
-                Tolerances::iterative_motion_at_once) *
-             (end_time > 0. ? std::min(end_time, 1.) : 1.);
-    }
-  } // namespace
-
-
-
   template <int dim>
-  double
-  Reset<dim>::move_static_body(StageSolver &solver, State &state)
+  void
+  Reset<dim>::move_static_body(State &state)
   {
-    Vector heat_load  = body.discretization.make_vector(Field::temperature);
-    Vector forces     = body.discretization.make_vector(Field::displacement);
-    const double size = length_of_motion_at_once(body.scene);
-    StageRates   rates;
-    rates.temperature_rate = heat_load;
-    rates.velocity         = forces;
-    body.loads.assemble(state.load_time, heat_load, forces);
-    solver.solve(
-      state, size, heat_load, forces, ContactMode::unilateral, rates);
-    if (!rates.failure.empty())
-      throw ComputationError(rates.failure);
-    state.temperature.add(size, rates.temperature_rate);
-    state.displacement.add(size, rates.velocity);
-    state.velocity             = rates.velocity;
-    state.contact_pressure     = rates.pressure;
-    state.exchange_coefficient = rates.exchange_coefficient;
-    const double work =
-      body.energy.has_work() ?
-        size * body.energy.work_rate(heat_load, forces, state) :
-        0.;
+    Vector motion(state.displacement);
+    set_static_displacement(*at_once, state);
+    motion.sadd(-1., 1., state.displacement);
+    if (body.equations.is_coupled())
+      {
+        Vector heat = body.discretization.make_vector(Field::temperature);
+        Vector temperature(heat);
+        body.equations.add_heating(motion, -1., heat);
+        provide_heat_mass().solve(temperature, heat);
+        state.temperature += temperature;
+      }
     state.velocity = 0.; // that of a motion at once says nothing
-    return work;
+    set_exchange_of_law(body, state);
   }
 
 
@@ -521,14 +497,13 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  Reset<dim>::pass_discontinuity(StageSolver             &solver,
-                                 const std::vector<bool> &is_closed,
+  Reset<dim>::pass_discontinuity(const std::vector<bool> &is_closed,
                                  const LoadBreak         &at,
                                  StepResult              &result)
   {
     const bool moves = moves_at_once() && (at.jumping & force) != 0;
     if (moves)
-      move_at_once(solver, is_closed, 0., result);
+      move_at_once(is_closed, 0., result);
     return moves;
   }
 
@@ -536,8 +511,7 @@ namespace ThermoContact
 
   template <int dim>
   bool
-  Reset<dim>::heat_fixed_end(StageSolver             &solver,
-                             const std::vector<bool> &is_closed,
+  Reset<dim>::heat_fixed_end(const std::vector<bool> &is_closed,
                              const LoadBreak *const   at,
                              StepResult              &result)
   {
@@ -558,7 +532,7 @@ namespace ThermoContact
                                      state) :
         0.;
     if (starts || jumps)
-      move_at_once(solver, is_closed, work, result);
+      move_at_once(is_closed, work, result);
     return starts || jumps;
   }
 
@@ -566,8 +540,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Reset<dim>::move_at_once(StageSolver             &solver,
-                           const std::vector<bool> &is_closed,
+  Reset<dim>::move_at_once(const std::vector<bool> &is_closed,
                            double                   work,
                            StepResult              &result)
   {
@@ -576,7 +549,7 @@ namespace ThermoContact
     const bool   moves = moves_at_once();
     state.jump_time    = state.time;
     if (moves && scene.material.is_static())
-      work += move_static_body(solver, state);
+      work += work_of(state, [&]() { move_static_body(state); });
     else if (moves && scene.contact.is_in_equilibrium())
       work += work_of(state, [&]() { move_static_nodes(state); });
     else

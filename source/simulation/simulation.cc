@@ -435,10 +435,8 @@ namespace ThermoContact
     together([&]() {
       if (body_.obstacle.is_active())
         tracker.pass_slope_discontinuity(*at, result, history_.events);
-      if (at->is_jump && reset.pass_discontinuity(integrator->stage_solver(),
-                                                  tracker.closed_nodes(result),
-                                                  *at,
-                                                  result))
+      if (at->is_jump &&
+          reset.pass_discontinuity(tracker.closed_nodes(result), *at, result))
         tracker.jump(result.state, history_.events);
     });
     if (result.failure.empty())
@@ -510,10 +508,8 @@ namespace ThermoContact
     bool              was_heated = false;
     change_present(record().energy_terms, [&]() {
       together([&]() {
-        was_heated = reset.heat_fixed_end(integrator->stage_solver(),
-                                          tracker.closed_nodes(result),
-                                          at,
-                                          result);
+        was_heated =
+          reset.heat_fixed_end(tracker.closed_nodes(result), at, result);
         if (was_heated && reset.moves_at_once())
           tracker.jump(result.state, history_.events);
       });

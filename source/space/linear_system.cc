@@ -658,7 +658,7 @@ namespace ThermoContact
   LinearSystem<dim>::solve_once(Vector &heat,
                                 Vector &momentum,
                                 Vector &temperature,
-                                Vector &displacement)
+                                Vector &displacement) const
   {
     if (rod_whole)
       rod_whole->solve({{heat.begin(), momentum.begin()}},
@@ -705,7 +705,7 @@ namespace ThermoContact
   LinearSystem<dim>::solve(Vector &heat,
                            Vector &momentum,
                            Vector &temperature,
-                           Vector &displacement)
+                           Vector &displacement) const
   {
     if (!correction)
       {
@@ -727,6 +727,21 @@ namespace ThermoContact
       temperature += c.heat;
     if (has(Field::displacement))
       displacement += c.momentum;
+  }
+
+
+
+  template <int dim>
+  void
+  LinearSystem<dim>::solve(Vector       &solution,
+                           const Vector &rhs,
+                           const double  tolerance) const
+  {
+    if (!rod_whole && !whole)
+      return solve_field(own_field(), solution, rhs, tolerance);
+    Vector heat = equations.space().make_vector(Field::temperature);
+    Vector momentum(rhs), temperature(heat);
+    solve(heat, momentum, temperature, solution);
   }
 
 

@@ -17,18 +17,28 @@ namespace ThermoContact
 
 
   template <int dim>
+  const SystemCoefficients &
+  Equilibrium<dim>::coefficients() const
+  {
+    return matrix == Matrix::inertia ? motion_by_inertia :
+           matrix == Matrix::at_once && body.equations.is_coupled() ?
+                                       motion_at_once :
+                                       motion_by_stiffness;
+  }
+
+
+
+  template <int dim>
   void
   Equilibrium<dim>::provide()
   {
     if (system)
       return;
-    if (matrix == Matrix::stiffness)
+    if (matrix != Matrix::inertia)
       preconditioner = make_motion_preconditioner(body);
     auto made =
       std::make_unique<LinearSystem<dim>>(body.equations,
-                                          matrix == Matrix::inertia ?
-                                            motion_by_inertia :
-                                            motion_by_stiffness,
+                                          coefficients(),
                                           nullptr,
                                           LinearSystem<dim>::Rows::all,
                                           preconditioner.get());

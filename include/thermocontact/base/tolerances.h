@@ -117,19 +117,6 @@ namespace ThermoContact
     /** Nodes whose changes are this close along a segment change together. */
     inline constexpr double simultaneous_changes = 1e-10;
 
-    /**
-     * Length of the stage in which a static body moves at once, in parts of the
-     * time that heat takes through it and of the end time: heat does not go far
-     * in it, and rates are within the range of numbers.
-     */
-    inline constexpr double motion_at_once = 1e-11;
-
-    /**
-     * The same for iterations, which measure what the heat of the motion leaves
-     * unsolved by the heat that flows in the stage.
-     */
-    inline constexpr double iterative_motion_at_once = 1e-7;
-
     // ---- iterations
 
     /** Krylov: while the tangents of contact still change. */

@@ -59,7 +59,6 @@ namespace ThermoContact
      * loads do the work of the displacement that they cause, and what is too
      * much for the new energy is numerical dissipation. Collective.
      *
-     * @param solver of the stages of the body
      * @param is_closed nodes that are in contact before it: only they may have
      *   a pressure in (D5.2), where all nodes stay where they are; not used for
      *   (C4.4), which finds its contact
@@ -74,8 +73,7 @@ namespace ThermoContact
      * @throw ComputationError if the new equilibrium is not found
      */
     bool
-    pass_discontinuity(StageSolver             &solver,
-                       const std::vector<bool> &is_closed,
+    pass_discontinuity(const std::vector<bool> &is_closed,
                        const LoadBreak         &at,
                        StepResult              &result);
 
@@ -91,8 +89,7 @@ namespace ThermoContact
      * @return true if there is a discontinuity; nothing is changed if not
      */
     bool
-    heat_fixed_end(StageSolver             &solver,
-                   const std::vector<bool> &is_closed,
+    heat_fixed_end(const std::vector<bool> &is_closed,
                    const LoadBreak *const   at,
                    StepResult              &result);
 
@@ -163,7 +160,7 @@ namespace ThermoContact
       return counters_;
     }
 
-    /** Whether inertia, stiffness, heat and adiabatic nodes are factorised. */
+    /** Which of the systems that are kept have been made. */
     std::vector<bool>
     retained() const;
 
@@ -181,6 +178,7 @@ namespace ThermoContact
     SolverCounters                          counters_;
     const std::unique_ptr<Equilibrium<dim>> inertia;
     const std::unique_ptr<Equilibrium<dim>> stiffness;
+    const std::unique_ptr<Equilibrium<dim>> at_once;
 
     // of contact nodes without mass, made when they are needed
     Nodes static_nodes;    ///< $S_{NN}$
@@ -248,9 +246,9 @@ namespace ThermoContact
     void
     set_pressures_of_acceleration(State &state);
 
-    /** (D5.3). */
+    /** (D5.3), or (C4.4) without its heat. */
     void
-    set_static_displacement(State &state);
+    set_static_displacement(Equilibrium<dim> &matrix, State &state);
 
     /**
      * How fast the forces on a body change that moves with its velocities,
@@ -294,8 +292,7 @@ namespace ThermoContact
      * @param work done so far
      */
     void
-    move_at_once(StageSolver             &solver,
-                 const std::vector<bool> &is_closed,
+    move_at_once(const std::vector<bool> &is_closed,
                  double                   work,
                  StepResult              &result);
 
@@ -311,13 +308,9 @@ namespace ThermoContact
     void
     book(const double work, StepResult &result) const;
 
-    /**
-     * (C4.4) of a static body, in a short stage; returns the work of the loads.
-     *
-     * @throw ComputationError if the stage is not solved
-     */
-    double
-    move_static_body(StageSolver &solver, State &state);
+    /** (C4.4) of a static body. */
+    void
+    move_static_body(State &state);
 
     /**
      * No pressure pulls: of nodes that are held closed none at the obstacle

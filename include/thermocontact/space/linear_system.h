@@ -106,11 +106,11 @@ namespace ThermoContact
     solve(Vector &heat,
           Vector &momentum,
           Vector &temperature,
-          Vector &displacement);
+          Vector &displacement) const;
 
     /**
-     * The same for a system of one field, or of the displacement with the
-     * temperature eliminated.
+     * The same for a system of one field, or for the displacement alone of one
+     * of both, on which no heat acts but that of the motion.
      *
      * @param solution out
      * @param rhs zero in constrained rows and those that are not solved for
@@ -120,10 +120,7 @@ namespace ThermoContact
     void
     solve(Vector       &solution,
           const Vector &rhs,
-          const double  tolerance = Tolerances::rounding_of_solution) const
-    {
-      solve_field(own_field(), solution, rhs, tolerance);
-    }
+          const double  tolerance = Tolerances::rounding_of_solution) const;
 
     /** It is solved to rounding at once, and has no springs. */
     bool
@@ -409,7 +406,7 @@ namespace ThermoContact
     solve_once(Vector &heat,
                Vector &momentum,
                Vector &temperature,
-               Vector &displacement);
+               Vector &displacement) const;
   };
 } // namespace ThermoContact
 

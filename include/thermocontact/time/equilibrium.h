@@ -27,8 +27,9 @@ namespace ThermoContact
   public:
     enum class Matrix
     {
-      inertia,  ///< $bM_u$; laws are rigid and hold their nodes
-      stiffness ///< $(\zeta+1)S$, of a body without inertia
+      inertia,   ///< $bM_u$; laws are rigid and hold their nodes
+      stiffness, ///< $(\zeta+1)S$, of a body without inertia
+      at_once ///< $S+a^2D^TM^{-1}D$ of a static body, which takes heat, (C4.4)
     };
 
     /**
@@ -67,8 +68,12 @@ namespace ThermoContact
           std::vector<double>        &pressure);
 
   private:
-    const Body<dim>                   &body;
-    const Matrix                       matrix;
+    const Body<dim> &body;
+    const Matrix     matrix;
+
+    const SystemCoefficients &
+    coefficients() const;
+
     SolverCounters                    &counters;
     std::unique_ptr<Preconditioner>    preconditioner; ///< or null
     std::unique_ptr<LinearSystem<dim>> system;
