@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -94,18 +95,6 @@ namespace ThermoContact
 
 
 
-    /** What separates columns, by the line of their names. */
-    char
-    separator_of(const std::string &header)
-    {
-      for (const char separator : {';', '\t'})
-        if (header.find(separator) != std::string::npos)
-          return separator;
-      return ',';
-    }
-
-
-
     /** The cells of a line, without quotes around them. */
     std::vector<std::string>
     split_line(const std::string &line, const char separator)
@@ -121,9 +110,46 @@ namespace ThermoContact
           cells.back() += letter;
       for (std::string &cell : cells)
         cell = trim(cell);
-      if (cells.size() > 1 && cells.back().empty())
-        cells.pop_back(); // a separator at the end
       return cells;
+    }
+
+
+
+    /** What separates columns, by the line of their names. */
+    char
+    separator_of(const std::string &header)
+    {
+      for (const char separator : {';', '\t'})
+        if (split_line(header, separator).size() > 1)
+          return separator;
+      return ',';
+    }
+
+
+
+    /** Takes the empty cell behind a separator at the end of a line. */
+    void
+    take_empty_end(std::vector<std::string> &cells)
+    {
+      if (cells.size() > 1 && cells.back().empty())
+        cells.pop_back();
+    }
+
+
+
+    /** "12,345", which may be meant as a number of thousands. */
+    bool
+    may_have_thousands(const std::string &cell)
+    {
+      const auto comma     = cell.find(',');
+      const auto first     = cell.find_first_of("123456789");
+      const auto is_digits = [&](const std::size_t begin,
+                                 const std::size_t end) {
+        return cell.find_first_not_of("0123456789", begin) >= end;
+      };
+      return comma != std::string::npos && first <= 1 && first < comma &&
+             comma - first <= 3 && is_digits(first, comma) &&
+             cell.size() - comma == 4 && is_digits(comma + 1, cell.size());
     }
 
 
@@ -234,6 +260,9 @@ namespace ThermoContact
     std::vector<Heading> header;
     unsigned int         n_lines = 0, index = 1;
     char                 separator = ',';
+    std::vector<double>  written; // arguments in the unit of the file
+    // a cell with a comma of each column
+    std::map<unsigned int, std::string> thousands, decimals;
     for (std::string line; std::getline(text, line);)
       {
         ++n_lines;
@@ -241,9 +270,10 @@ namespace ThermoContact
           continue;
         if (header.empty())
           separator = separator_of(line);
-        const std::vector<std::string> cells = split_line(line, separator);
+        std::vector<std::string> cells = split_line(line, separator);
         if (header.empty())
           {
+            take_empty_end(cells);
             std::vector<std::string> names;
             for (const std::string &cell : cells)
               {
@@ -282,6 +312,8 @@ namespace ThermoContact
                   "unit in its header, [1] for none, says that they are right");
             continue;
           }
+        if (cells.size() > header.size())
+          take_empty_end(cells);
         if (cells.size() != header.size())
           fail(std::to_string(cells.size()) + " cells under " +
                  std::to_string(header.size()) + " names",
@@ -294,39 +326,52 @@ namespace ThermoContact
                  "remove the row, of which there is no measurement; numbers "
                  "have no separators of thousands, and a decimal comma only "
                  "where ';' or a tab separates columns");
-          return *in_base_units(*number, header[i].unit);
+          if (cells[i].find(',') != std::string::npos)
+            (may_have_thousands(cells[i]) ? thousands : decimals)[i] = cells[i];
+          return *number;
         };
-        arguments.push_back(number_at(0));
-        values.push_back(number_at(index));
+        written.push_back(number_at(0));
+        arguments.push_back(*in_base_units(written.back(), header[0].unit));
+        values.push_back(*in_base_units(number_at(index), header[index].unit));
         if (arguments.size() > 1 &&
             !(arguments.back() > arguments[arguments.size() - 2]))
           fail("the first column does not grow", n_lines);
       }
     if (arguments.size() < 2)
       fail("fewer than two rows of numbers", 0);
-    doubt_holes();
+    for (const auto &[i, cell] : thousands)
+      if (decimals.count(i) == 0)
+        doubts.push_back(
+          quote(file_name) + ": '" + cell + "' counts as " +
+          significant(*number_in_cell(cell, separator), few_digits) +
+          ", with a decimal comma; should it mean thousands, take the commas "
+          "out of column '" +
+          quote(header[i].name) + "'");
+    doubt_holes(written, header[0].unit);
   }
 
 
 
   void
-  MeasuredTable::doubt_holes()
+  MeasuredTable::doubt_holes(const std::vector<double> &written,
+                             const std::string         &unit)
   {
     std::vector<double> steps;
-    for (std::size_t i = 1; i < arguments.size(); ++i)
-      steps.push_back(arguments[i] - arguments[i - 1]);
+    for (std::size_t i = 1; i < written.size(); ++i)
+      steps.push_back(written[i] - written[i - 1]);
     std::vector<double> sorted(steps);
     const auto          middle = sorted.begin() + sorted.size() / 2;
     std::nth_element(sorted.begin(), middle, sorted.end());
+    const auto in_unit = [&](const double number) {
+      return significant(number, few_digits) + (unit.empty() ? "" : " " + unit);
+    };
     for (std::size_t i = 0; i < steps.size(); ++i)
       if (steps[i] > usual_steps_of_hole * *middle)
         {
-          doubts.push_back(quote(file_name) + ": no row between " +
-                           significant(arguments[i], few_digits) + " and " +
-                           significant(arguments[i + 1], few_digits) +
-                           ", where rows are usually " +
-                           significant(*middle, few_digits) +
-                           " apart: a line joins them");
+          doubts.push_back(
+            quote(file_name) + ": no row between " + in_unit(written[i]) +
+            " and " + in_unit(written[i + 1]) + ", where rows are usually " +
+            in_unit(*middle) + " apart: a line joins them");
           return; // one is enough to look at the file
         }
   }

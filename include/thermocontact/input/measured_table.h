@@ -73,9 +73,13 @@ namespace ThermoContact
     void
     read(const std::string &column, const bool has_units);
 
-    /** A step between rows that is much longer than usual is doubted. */
+    /**
+     * A step between rows that is much longer than usual is doubted.
+     *
+     * @param written arguments in @p unit, as in the file
+     */
     void
-    doubt_holes();
+    doubt_holes(const std::vector<double> &written, const std::string &unit);
   };
 
 
