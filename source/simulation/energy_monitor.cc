@@ -37,6 +37,21 @@ namespace ThermoContact
 
 
 
+    /** What a run may create, in parts of the largest energy. */
+    double
+    allowed_energy(const Scene &scene)
+    {
+      // the release within a cell takes back what the mean over it has lost
+      if (scene.scheme.has_no_dispersion && scene.contact.law->is_rigid())
+        return 1. / scene.parameters.mesh.n_cells(1);
+      return scene.scheme.can_create_energy &&
+                 !scene.parameters.time.has_error_control() ?
+               Tolerances::energy_of_fixed_steps :
+               Tolerances::energy_of_rounding;
+    }
+
+
+
     std::string
     remedy_for(const Scene &scene)
     {
@@ -62,10 +77,7 @@ namespace ThermoContact
   EnergyMonitor::EnergyMonitor(const Scene &scene)
     : scene(scene)
     , is_active(!scene.has_work())
-    , allowed_per_run(scene.scheme.can_create_energy &&
-                          !scene.parameters.time.has_error_control() ?
-                        Tolerances::energy_of_fixed_steps :
-                        Tolerances::energy_of_rounding)
+    , allowed_per_run(allowed_energy(scene))
     , allowed_per_step(scene.parameters.time.has_error_control() ?
                          2. * scene.parameters.time.tolerance :
                          0.)

@@ -259,10 +259,18 @@ namespace ThermoContact
     const int    side = contact.end_pressure < 0. ? -1 : 1;
     const double rate = side > 0 ? obstacle.gap_rate[0] : 0.;
     end.end_pressure  = contact.end_pressure;
+    if (const auto &now = end.releases.now; law.is_rigid() && now)
+      {
+        end.end_pressure = 0.;
+        end.end_velocity = rate + now->side * now->after;
+        return;
+      }
     if (law.is_rigid() && contact.pressure != 0.)
       {
-        // what stops the end, if it comes
-        end.stopping     = impedance * (arriving - rate);
+        // what stops the end, if it comes; no part of a front yet to come
+        const auto &next = end.releases.next;
+        end.stopping =
+          impedance * (next ? side * next->before : arriving - rate);
         end.end_pressure = side * end.stopping > 0. ? end.stopping : 0.;
       }
     if (law.damping() > 0. && contact.end_pressure != 0.)
@@ -283,7 +291,8 @@ namespace ThermoContact
   BoxIntegrator::contact_for(const double     coefficient,
                              const EndValues &free,
                              const StepPath  &path_without_exchange,
-                             const double     size)
+                             const double     size,
+                             const Releases  &releases)
   {
     constexpr unsigned int n = HeatStages::n;
     const bool             flows =
@@ -333,6 +342,14 @@ namespace ThermoContact
     end.contact.velocity                   = values.velocity;
     if (body.law().is_active())
       end.contact = solve_step_contact(body.law(), path);
+    end.releases = releases;
+    if (const auto &now = releases.now; now && body.law().is_rigid())
+      {
+        end.contact.pressure =
+          now->side * now->part * now->before / path.response;
+        end.contact.velocity =
+          path.free_velocity - path.response * end.contact.pressure;
+      }
     take(values, end.contact.pressure, by_pressure);
     for (unsigned int i = 0; i < n; ++i)
       end.flux[i] = flux[i] - end.contact.pressure * flux_by_pressure[i];
@@ -352,14 +369,16 @@ namespace ThermoContact
     if (body.law().is_active() && !body.scene.material.has_viscosity())
       impedance =
         1. / solver.response_to_pressure(size).velocity.begin()[end_node];
-    EndContact end;
+    const Releases releases = find_releases(state, path);
+    EndContact     end;
     if (n_heat_stages == 0 || body.scene.heat.exchange->is_constant())
-      end = contact_for(state.exchange_coefficient[0], free, path, size);
+      end =
+        contact_for(state.exchange_coefficient[0], free, path, size, releases);
     else
       {
         const HeatExchange &exchange = *body.scene.heat.exchange;
         const auto          law_at   = [&](const double coefficient) {
-          end            = contact_for(coefficient, free, path, size);
+          end = contact_for(coefficient, free, path, size, releases);
           const double s = std::max(path.front + size * (end.contact.velocity -
                                                          path.front_rate),
                                     path.rear - size * end.contact.velocity);
@@ -389,7 +408,8 @@ namespace ThermoContact
           first == 0. ?
             low :
             bracketed_root(excess, low, high, at_low, at_high).first;
-        end = contact_for(0.5 * (old_coefficient + found), free, path, size);
+        end = contact_for(
+          0.5 * (old_coefficient + found), free, path, size, releases);
         end.end_coefficient = found;
       }
     if (end.contact.pressure != 0.)
@@ -459,23 +479,104 @@ namespace ThermoContact
 
 
   double
-  BoxIntegrator::arriving(const State &state, const unsigned int cell) const
+  BoxIntegrator::arriving(const CellValues &cell) const
   {
-    const Material    &material = body.scene.material;
-    const unsigned int i        = end_node - cell;
-    const double       h        = body.scene.parameters.mesh.contact_spacing();
-    const auto         jump     = [i](const Vector &vector) {
-      return vector.begin()[i] - vector.begin()[i - 1];
-    };
-    const auto middle = [i](const Vector &vector) {
+    const double stress =
+      cell.strain - body.scene.material.thermal_stress * cell.temperature;
+    return cell.velocity - stress / impedance;
+  }
+
+
+
+  BoxIntegrator::CellValues
+  BoxIntegrator::values_in(const State &state, const unsigned int cell) const
+  {
+    const unsigned int i      = end_node - cell;
+    const auto         middle = [i](const Vector &vector) {
       return 0.5 * (vector.begin()[i] + vector.begin()[i - 1]);
     };
-    double stress =
-      (jump(state.displacement) + material.viscosity * jump(rates.velocity)) /
-      h;
-    if (material.has_thermal_stress())
-      stress -= material.thermal_stress * middle(state.temperature);
-    return middle(state.velocity) - stress / impedance;
+    CellValues values;
+    values.velocity = middle(state.velocity);
+    values.strain   = difference(state.displacement, cell);
+    if (n_heat_stages > 0)
+      values.temperature = middle(state.temperature);
+    return values;
+  }
+
+
+
+  BoxIntegrator::CellValues
+  BoxIntegrator::later_values_in(const State       &state,
+                                 const double       size,
+                                 const unsigned int cell) const
+  {
+    const unsigned int i      = end_node - cell;
+    const auto         middle = [i](const Vector &vector) {
+      return 0.5 * (vector.begin()[i] + vector.begin()[i - 1]);
+    };
+    CellValues values = values_in(state, cell);
+    values.velocity   = 2. * middle(rates.velocity) - values.velocity;
+    values.strain +=
+      (size + body.scene.material.viscosity) * difference(rates.velocity, cell);
+    for (unsigned int stage = 0; stage < n_heat_stages; ++stage)
+      values.temperature += size * HeatStages::weights[stage] *
+                            middle(rates.temperature_rate[stage]);
+    return values;
+  }
+
+
+
+  double
+  BoxIntegrator::difference(const Vector &vector, const unsigned int cell) const
+  {
+    const unsigned int i = end_node - cell;
+    return (vector.begin()[i] - vector.begin()[i - 1]) /
+           body.scene.parameters.mesh.contact_spacing();
+  }
+
+
+
+  bool
+  BoxIntegrator::has_waves() const
+  {
+    return body.scene.material.viscosity <
+           impedance * body.scene.parameters.mesh.contact_spacing();
+  }
+
+
+
+  BoxIntegrator::Releases
+  BoxIntegrator::find_releases(const State &state, const StepPath &path) const
+  {
+    constexpr unsigned int n_cells_seen = 3;
+    if (!body.law().is_active() || !has_waves() || end_node < n_cells_seen)
+      return {};
+    const double stopped = state.contact_pressure[0];
+    const double free    = rates.velocity.begin()[end_node];
+    const int    side    = stopped != 0. ? (stopped > 0. ? 1 : -1) :
+                                           (free > path.front_rate ? 1 : -1);
+    const double rate    = side > 0 ? path.front_rate : 0.;
+    // waves on their way back tell what came
+    const auto came = [&](const unsigned int cell) {
+      const CellValues values = values_in(state, cell);
+      return side * (arriving(values) - 2. * values.velocity + rate);
+    };
+    const auto comes = [&](const unsigned int cell) {
+      return side * (arriving(later_values_in(state, path.size, cell)) - rate);
+    };
+    const double coming[] = {
+      came(1), came(0), side * (free - rate), comes(0), comes(1), comes(2)};
+    const auto release = [&](const unsigned int now) -> std::optional<Release> {
+      const double before = coming[now - 1], after = coming[now + 1];
+      const double jump = before - after;
+      const double around =
+        std::abs(coming[now - 2] - before) + std::abs(coming[now + 2] - after);
+      if (before > 0. && after < 0. && around < 0.5 * jump &&
+          coming[now] <= before && coming[now] >= after)
+        return Release{side, (coming[now] - after) / jump, before, after};
+      return std::nullopt;
+    };
+    return {stopped != 0. ? release(2) : std::nullopt, release(3)};
   }
 
 
@@ -505,46 +606,37 @@ namespace ThermoContact
                              path.size * std::min(std::max(part, 0.), 1.),
                            velocity};
     };
-    if (before == 0.)
-      {
-        const double velocity = end.free_velocity - rate;
-        return at(-start / (path.size * side * velocity), velocity);
-      }
-
-    const bool has_waves =
-      body.scene.material.viscosity <
-      impedance * body.scene.parameters.mesh.contact_spacing();
-    const double next = arriving(new_state, 0) - rate;
+    CellValues last = values_in(new_state, 0);
+    last.strain +=
+      body.scene.material.viscosity * difference(rates.velocity, 0);
     const double leaving =
-      has_waves ? next :
-                  end.end_velocity - (side > 0 ? obstacle.gap_rate[0] : 0.);
+      has_waves() ? arriving(last) - rate :
+                    end.end_velocity - (side > 0 ? obstacle.gap_rate[0] : 0.);
+    // where the mean velocity of the step takes it to the surface; its
+    // velocity there, if it changes steadily up to the next step
+    const auto at_surface = [&](const double mean) {
+      const double part   = -start / (path.size * side * mean);
+      const double first  = 2. * (mean - state.velocity.begin()[end_node] +
+                                 (side > 0 ? state.gap_rate[0] : 0.));
+      const double second = leaving - mean;
+      const double change = !has_waves() || first * second < 0. ? 0. :
+                            std::abs(first) < std::abs(second)  ? first :
+                                                                  second;
+      return at(part, mean + (part - 0.5) * change);
+    };
+    if (before == 0.)
+      return at_surface(end.free_velocity - rate);
     if (!law.is_rigid() && end.contact.weight == 0.)
-      return at(-start / (path.size * side * (end.contact.velocity - rate)),
-                leaving);
+      return at_surface(end.contact.velocity - rate);
+    if (end.releases.now)
+      return at(end.releases.now->part, leaving);
 
     // what the obstacle stops before this step, and would at its end
     const double stopped  = state.contact_pressure[0];
     const double stopping = law.is_rigid() && end.contact.pressure != 0. ?
                               end.stopping :
                               impedance * (end.end_velocity - rate);
-    const double linear   = stopped / (stopped - stopping);
-    if (!has_waves || end_node < 3)
-      return at(linear, leaving);
-    // waves on their way back tell what came
-    const auto came = [&](const unsigned int cell) {
-      const unsigned int i        = end_node - cell;
-      const double       velocity = 0.5 * (new_state.velocity.begin()[i] +
-                                     new_state.velocity.begin()[i - 1]);
-      return arriving(new_state, cell) - 2. * (velocity - rate) - rate;
-    };
-    const double last = came(1);
-    const double jump = last - next;
-    const double around =
-      std::abs(came(2) - last) + std::abs(arriving(new_state, 1) - rate - next);
-    return at(around < 0.5 * std::abs(jump) ?
-                (end.free_velocity - rate - next) / jump :
-                linear,
-              leaving);
+    return at(stopped / (stopped - stopping), leaving);
   }
 
 

@@ -78,6 +78,25 @@ namespace ThermoContact
       std::array<double, HeatStages::n> temperature{};
     };
 
+    /**
+     * A single front that reaches the end in contact within the step and takes
+     * it from the obstacle, (C6.14). Velocities are those into the obstacle
+     * that the end would have without it.
+     */
+    struct Release
+    {
+      int    side;   ///< of the obstacle: 1 in front, -1 behind
+      double part;   ///< of the step, before the front
+      double before; ///< velocity that the obstacle stops
+      double after;  ///< with which the end leaves, negative
+    };
+
+    /** That of this step and that of the next one, if there are any. */
+    struct Releases
+    {
+      std::optional<Release> now, next;
+    };
+
     /** Pressure, heat exchange and what follows at the end of the step. */
     struct EndContact
     {
@@ -91,6 +110,8 @@ namespace ThermoContact
 
       /** $p^1$ of a rigid obstacle that may pull. */
       double stopping = 0.;
+
+      Releases releases;
     };
 
     /** Loads and motions of a step. */
@@ -113,7 +134,8 @@ namespace ThermoContact
     contact_for(const double     coefficient,
                 const EndValues &free,
                 const StepPath  &path,
-                const double     size);
+                const double     size,
+                const Releases  &releases);
 
     /** With the coefficient of its law. */
     EndContact
@@ -144,9 +166,42 @@ namespace ThermoContact
     void
     advance_velocity(const double size, const State &state, Vector &velocity);
 
-    /** Velocity of the end where what is in this cell from it arrives. */
+    /** What a cell near the end has of the waves, in its middle. */
+    struct CellValues
+    {
+      double velocity    = 0.;
+      double strain      = 0.; ///< with what viscosity adds to the stress
+      double temperature = 0.;
+    };
+
+    /**
+     * @param cell their number from the end
+     * @return without the stress of viscosity
+     */
+    CellValues
+    values_in(const State &state, const unsigned int cell) const;
+
+    /** At the end of the step from @p state with the present rates. */
+    CellValues
+    later_values_in(const State       &state,
+                    const double       size,
+                    const unsigned int cell) const;
+
+    /** The derivative in x in a cell. */
     double
-    arriving(const State &state, const unsigned int cell) const;
+    difference(const Vector &vector, const unsigned int cell) const;
+
+    /** Velocity of the end without an obstacle where what is in it arrives. */
+    double
+    arriving(const CellValues &cell) const;
+
+    /** Whether waves pass the cells, which viscosity does not smooth. */
+    bool
+    has_waves() const;
+
+    /** What the waves near the end say of them, with the free rates. */
+    Releases
+    find_releases(const State &state, const StepPath &path) const;
 
     /** Where in the step the node meets or leaves an obstacle, (C6.14). */
     std::optional<ContactChange>
