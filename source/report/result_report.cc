@@ -288,19 +288,24 @@ namespace ThermoContact
     };
     for (const std::string &remark : errors.remarks)
       log.line("  warning:  " + remark);
+    const bool are_joined = scene.scheme.has_no_dispersion;
     log.line(text("  errors    by ",
                   errors.n_repeats,
-                  " repeats: value, +- in time, +- in space"));
+                  " repeats: value, ",
+                  are_joined ? "+- in time and space together" :
+                               "+- in time, +- in space"));
     const KeyResults values = key_results(scene, history);
     for (const std::string &name : results_with_error_bars())
       if (const double value = values.at(name); !std::isnan(value))
-        log.line(
-          text("            ",
-               align_left(name, 24),
-               align_left(in(name, value, few_digits), 12),
-               "  +- ",
-               align_left(in(name + "_time_error", errors.time.at(name), 2), 8),
-               "  +- ",
-               in(name + "_space_error", errors.space.at(name), 2)));
+        log.line(text("            ",
+                      align_left(name, 24),
+                      align_left(in(name, value, few_digits), 12),
+                      are_joined ? "" :
+                                   "  +- " + align_left(in(name + "_time_error",
+                                                           errors.time.at(name),
+                                                           2),
+                                                        8),
+                      "  +- ",
+                      in(name + "_space_error", errors.space.at(name), 2)));
   }
 } // namespace ThermoContact

@@ -40,19 +40,22 @@ namespace ThermoContact
   RunHistory::add_maxima(const Scene &scene, const double gap_rate)
   {
     const double force = std::abs(record.contact_force); // of either obstacle
-    max_penetration    = std::fmax(max_penetration, record.penetration);
-    max_contact_force  = std::fmax(max_contact_force, force);
     if (!has_rates(scene))
       {
         penetration_peak.add(record.time, record.penetration);
         force_peak.add(record.time, force);
-        return;
       }
-    const double rate = record.velocity_end - gap_rate;
-    penetration_peak.add(record.time, record.penetration, rate);
-    force_peak.add(record.time,
-                   force,
-                   force > 0. ? rate / scene.contact.law->tangent(force) : 0.);
+    else
+      {
+        const double rate = record.velocity_end - gap_rate;
+        penetration_peak.add(record.time, record.penetration, rate);
+        force_peak.add(record.time,
+                       force,
+                       force > 0. ? rate / scene.contact.law->tangent(force) :
+                                    0.);
+      }
+    max_penetration   = std::fmax(max_penetration, penetration_peak.top());
+    max_contact_force = std::fmax(max_contact_force, force_peak.top());
   }
 
 

@@ -30,7 +30,14 @@ namespace ThermoContact
     void
     add(const double time, const double value, const double rate = nan);
 
-    /** Not below the largest value. */
+    /** The largest of all values and cubics. */
+    double
+    top() const
+    {
+      return std::max(largest, of_cubics);
+    }
+
+    /** Not below it. */
     double
     estimate() const
     {
