@@ -41,12 +41,13 @@ namespace ThermoContact
     entry("Cells", cells, NumberOrText::word_or_count("automatic", 1, 10000000))
       .means(text("Number of cells along the rod; automatic: ",
                   cells_by_default,
-                  ", or with Time/Scheme = box as many as Time/Tolerance asks "
-                  "for. The paper: 250."));
+                  ", as many as resolve fronts of waves, or with Time/Scheme = "
+                  "box those that Time/Tolerance asks for. The paper: 250."));
     entry("Degree", degree, NumberOrText::word_or_count("automatic", 1, 30))
       .means(text("Polynomial degree p of both fields; automatic: ",
                   degree_by_default,
-                  ", or 1 with Time/Scheme = box. The paper: 1."));
+                  ", 8 where it resolves fronts, or 1 with Time/Scheme = box. "
+                  "The paper: 1."));
     entry("Refinements", refinements, Integer(0, 30))
       .means("Global refinements of that mesh.");
     entry("Grading", grading, Double(1e-8, 1e8))

@@ -219,30 +219,6 @@ namespace ThermoContact
 
 
     /**
-     * The viscosity does not damp the oscillations of a contact node with mass
-     * between its neighbour and its obstacle, (C1.2): a mass $bw$, $w$ the
-     * length of the body that it stands for, on the springs $1/w$ and
-     * $1/\varepsilon$ with the damper $\zeta/w$, which is critical for
-     * $\zeta^2=4bw^2(1+w/\varepsilon)$; without a compliance, as a rigid
-     * obstacle throws it back by its neighbours, $\zeta^2<b(h/p)^2$.
-     */
-    bool
-    contact_nodes_oscillate(const Parameters &parameters, const ContactLaw &law)
-    {
-      const MeshParameters &mesh       = parameters.mesh;
-      const double          b          = parameters.model.inertia;
-      const double          w          = mesh.contact_node_length();
-      const auto            compliance = law.compliance();
-      if (parameters.boundary.right.mass > 0.)
-        return false; // it is resolved as what it is
-      return parameters.model.viscosity <
-             (compliance ? 2. * w * std::sqrt(b * (1. + w / *compliance)) :
-                           mesh.contact_spacing() * std::sqrt(b));
-    }
-
-
-
-    /**
      * Contact nodes have no mass, (C1.1), where they would oscillate, or if
      * several of them meet a rigid obstacle one by one; and if the scheme needs
      * it.
@@ -491,7 +467,8 @@ namespace ThermoContact
     add_if(scene.contact.has_massless_nodes, "massless contact nodes");
     add_if(scene.has_lumped_mass && (has_temperature || material.has_inertia()),
            "lumped mass");
-    add_if(scene.has_midpoint_mass && material.has_inertia(), "midpoint mass");
+    add_if(scene.has_midpoint_mass && material.has_inertia(),
+           "mass in the middles of cells");
     add_if(scene.sources.has_heat_source, "heat source");
     add_if(scene.sources.has_body_force, "body force");
     add_if(scene.sources.has_end_traction, "end traction");

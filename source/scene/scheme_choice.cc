@@ -5,6 +5,7 @@
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/input/parameter_file.h>
+#include <thermocontact/method/critical_step.h>
 #include <thermocontact/scene/scheme_choice.h>
 
 #include <algorithm>
@@ -19,6 +20,21 @@ namespace ThermoContact
 
     /** A rod without dispersion has at least that many cells. */
     constexpr unsigned int fewest_cells = 40;
+
+    /**
+     * A step of a rod without dispersion costs as much as so many stages with
+     * as many unknowns, measured.
+     */
+    constexpr unsigned int stages_of_box = 2;
+
+    /** Degree of a mesh whose cells are as long as the fronts. */
+    constexpr unsigned int degree_of_fronts = 8;
+
+    /**
+     * Lengths that the contact node stands for in the layer of an impact from
+     * which on the peak force is right to some 1e-4, measured.
+     */
+    constexpr double nodes_of_layer = 6.;
 
     /** Distance of the nodes of a mesh whose cells and degree are automatic. */
     constexpr double spacing_by_default =
@@ -52,21 +68,6 @@ namespace ThermoContact
     length_of_diffusion(const ModelParameters &model)
     {
       return std::sqrt(model.viscosity / std::sqrt(model.inertia));
-    }
-
-
-
-    /**
-     * The cells of a scheme of second order: twice as many as the root of one
-     * over the tolerance.
-     */
-    unsigned int
-    cells_of_tolerance(const double tolerance)
-    {
-      const double cells = 2. / std::sqrt(tolerance);
-      return std::max(fewest_cells,
-                      multiple_of_cells * static_cast<unsigned int>(std::ceil(
-                                            cells / multiple_of_cells)));
     }
 
 
@@ -334,7 +335,58 @@ namespace ThermoContact
 
 
 
-    /** Why a scene has the default scheme; empty: box is better. */
+    unsigned int
+    degree_for_fronts(const MeshParameters &mesh)
+    {
+      return mesh.degree > 0 ? mesh.degree : degree_of_fronts;
+    }
+
+
+
+    /**
+     * Cells of the default scheme that resolve fronts: with
+     * Tolerances::nodes_of_front nodes in their length, and so short that the
+     * contact node does not bounce and the layer of an impact is resolved; 0: a
+     * stage with them costs more than a step of the scheme without dispersion.
+     */
+    unsigned int
+    cells_of_fronts(const Parameters &written)
+    {
+      if (written.dimension > 1 || written.mesh.degree == 1)
+        return 0;
+      const ModelParameters &model = written.model;
+      const auto             law =
+        contact_law(written.contact.condition).make(written.contact.law);
+      Parameters      parameters = written;
+      MeshParameters &mesh       = parameters.mesh;
+      mesh.cells                 = 1;
+      mesh.degree                = degree_for_fronts(written.mesh);
+      const double most          = stages_of_box *
+                          cells_of_tolerance(written.time.tolerance) /
+                          mesh.degree;
+      double cells =
+        Tolerances::nodes_of_front / (mesh.degree * length_of_diffusion(model));
+      if (law->is_active() && law->is_linear() && law->tangent(0.) > 0.)
+        cells = std::max(cells,
+                         nodes_of_layer * mesh.contact_node_length() /
+                           layer_of_impact(model.inertia,
+                                           model.viscosity,
+                                           law->tangent(0.)));
+      if (!(cells <= most))
+        return 0;
+      mesh.cells = std::ceil(cells * (1. - Tolerances::rounding_of_data));
+      while (law->is_active() && mesh.cells <= most &&
+             contact_nodes_oscillate(parameters, *law))
+        ++mesh.cells;
+      return mesh.cells <= most ? mesh.cells : 0;
+    }
+
+
+
+    /**
+     * Why a scene has the default scheme on the default mesh; empty: there are
+     * sharp fronts.
+     */
     std::string
     reason_for_default(const Parameters &parameters)
     {
@@ -348,8 +400,7 @@ namespace ThermoContact
                             mesh.degree > 1 ? spacing(mesh) :
                                               spacing_by_default))
         return "all waves are smooth";
-      const std::string entry = entry_against_box(parameters);
-      return entry.empty() ? "" : "box cannot have " + entry;
+      return "";
     }
 
 
@@ -366,10 +417,12 @@ namespace ThermoContact
 
 
     /** The entries with this scheme, and all that follows from it. */
+    /** @param cells that resolve fronts, where they are automatic; 0: none */
     SchemeChoice
     with_scheme(const Parameters  &written,
                 const Scheme      &scheme,
-                const std::string &reason)
+                const std::string &reason,
+                const unsigned int cells = 0)
     {
       SchemeChoice choice{written, {}, reason, false};
       Parameters  &parameters = choice.parameters;
@@ -389,11 +442,14 @@ namespace ThermoContact
       const bool is_box = scheme.has_no_dispersion;
       choose("Mesh/Cells",
              parameters.mesh.cells,
-             is_box ? cells_of_tolerance(written.time.tolerance) :
-                      MeshParameters::cells_by_default);
+             is_box    ? cells_of_tolerance(written.time.tolerance) :
+             cells > 0 ? cells :
+                         MeshParameters::cells_by_default);
       choose("Mesh/Degree",
              parameters.mesh.degree,
-             is_box ? 1 : MeshParameters::degree_by_default);
+             is_box    ? 1 :
+             cells > 0 ? degree_of_fronts :
+                         MeshParameters::degree_by_default);
       if (const double passage = passage_of_cell(parameters);
           is_box && !parameters.time.step_size && passage > 0.)
         parameters.time.step_size = passage;
@@ -418,6 +474,33 @@ namespace ThermoContact
 
 
 
+  unsigned int
+  cells_of_tolerance(const double tolerance)
+  {
+    const double cells = 2. / std::sqrt(tolerance);
+    return std::max(fewest_cells,
+                    multiple_of_cells * static_cast<unsigned int>(std::ceil(
+                                          cells / multiple_of_cells)));
+  }
+
+
+
+  bool
+  contact_nodes_oscillate(const Parameters &parameters, const ContactLaw &law)
+  {
+    const MeshParameters &mesh       = parameters.mesh;
+    const double          b          = parameters.model.inertia;
+    const double          w          = mesh.contact_node_length();
+    const auto            compliance = law.compliance();
+    if (parameters.boundary.right.mass > 0.)
+      return false; // it is resolved as what it is
+    return parameters.model.viscosity <
+           (compliance ? 2. * w * std::sqrt(b * (1. + w / *compliance)) :
+                         mesh.contact_spacing() * std::sqrt(b));
+  }
+
+
+
   bool
   has_smooth_waves(const Parameters &parameters)
   {
@@ -434,9 +517,17 @@ namespace ThermoContact
   {
     if (written.time.scheme != automatic_scheme)
       return with_scheme(written, scheme(written.time.scheme), "");
-    std::string reason = reason_for_default(written);
+    const std::string reason = reason_for_default(written);
     if (!reason.empty())
       return with_scheme(written, default_scheme(), reason);
+    const unsigned int cells = cells_of_fronts(written);
+    if (cells > 0 && (written.mesh.cells == 0 || written.mesh.cells >= cells))
+      return with_scheme(written,
+                         default_scheme(),
+                         "its mesh resolves all fronts",
+                         cells);
+    if (const std::string entry = entry_against_box(written); !entry.empty())
+      return with_scheme(written, default_scheme(), "box cannot have " + entry);
     const SchemeChoice choice =
       with_scheme(written,
                   *find_scheme(

@@ -5,8 +5,8 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
+#include <thermocontact/method/critical_step.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
-#include <thermocontact/time/fixed_point_solver.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -350,10 +350,10 @@ namespace ThermoContact
     if (!law.is_active() || !law.is_linear() || !material.has_inertia() ||
         !material.has_viscosity())
       return infinity;
-    const double time =
-      critical_step_size(material.inertia, material.viscosity, law.tangent(0.));
-    return time < material.viscosity ?
-             std::sqrt(material.viscosity * time / material.inertia) :
+    const double b = material.inertia, zeta = material.viscosity,
+                 compliance = law.tangent(0.);
+    return critical_step_size(b, zeta, compliance) < zeta ?
+             layer_of_impact(b, zeta, compliance) :
              infinity;
   }
 

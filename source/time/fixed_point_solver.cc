@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/method/critical_step.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/fixed_point_solver.h>
 
@@ -237,22 +238,6 @@ namespace ThermoContact
               << body.scene.material.thermal_stress << " is strong, or ";
     message << "Solver/Step solver = monolithic, which has no such limit";
     return message.str();
-  }
-
-
-
-  double
-  critical_step_size(const double inertia,
-                     const double viscosity,
-                     const double compliance)
-  {
-    // The only positive root of a convex-concave cubic: the iteration
-    // dt <- (b eps^2 (dt + zeta))^(1/3) is a monotone contraction from above.
-    const double factor = inertia * compliance * compliance;
-    double       dt     = std::cbrt(factor * viscosity) + std::sqrt(factor);
-    for (unsigned int i = 0; i < 200; ++i)
-      dt = std::cbrt(factor * (dt + viscosity));
-    return dt;
   }
 
 

@@ -3,6 +3,7 @@
 #ifndef thermocontact_scene_scheme_choice_h
 #define thermocontact_scene_scheme_choice_h
 
+#include <thermocontact/contact/contact_law.h>
 #include <thermocontact/input/parameters.h>
 
 #include <string>
@@ -43,13 +44,14 @@ namespace ThermoContact
    * obstacle, a traction that jumps, the jump of the velocity of the fixed end,
    * or initial values that jump send through a body with inertia. Viscosity
    * spreads them over
-   * $\sqrt{\zeta/\sqrt b}$ while they pass the body, a linear obstacle over
-   * $\varepsilon$; sharp ones have less than Tolerances::nodes_of_front nodes
-   * of the automatic mesh in that length. A rod with sharp fronts has the
-   * scheme without dispersion, unless an entry is against it or cells times
-   * steps are more than Tolerances::most_cell_steps. Its cells are those that
-   * the tolerance asks for, its steps those in which a wave passes one. All
-   * else has the default scheme.
+   * $\sqrt{\zeta/\sqrt b}$ while they pass the body; sharp ones have less than
+   * Tolerances::nodes_of_front nodes of the default mesh in that length, or in
+   * the compliance of a linear obstacle. A rod with sharp fronts has the
+   * default scheme on a mesh that resolves them, if a stage with it costs no
+   * more than a step of the scheme without dispersion in as many cells as the
+   * tolerance asks for; else that one, unless an entry is against it or cells
+   * times steps are more than Tolerances::most_cell_steps. All else has the
+   * default scheme and mesh.
    *
    * Applied to its own result it changes nothing.
    *
@@ -57,6 +59,24 @@ namespace ThermoContact
    */
   SchemeChoice
   choose_scheme(const Parameters &written);
+
+  /**
+   * The automatic cells of the scheme without dispersion, of second order:
+   * twice as many as the root of one over the tolerance.
+   */
+  unsigned int
+  cells_of_tolerance(const double tolerance);
+
+  /**
+   * The viscosity does not damp the oscillations of a contact node with mass
+   * between its neighbour and its obstacle, (C1.2): a mass $bw$, $w$ the length
+   * of the body that it stands for, on the springs $1/w$ and $1/\varepsilon$
+   * with the damper $\zeta/w$, which is critical for
+   * $\zeta^2=4bw^2(1+w/\varepsilon)$; without a compliance, as a rigid obstacle
+   * throws it back by its neighbours, $\zeta^2<b(h/p)^2$.
+   */
+  bool
+  contact_nodes_oscillate(const Parameters &parameters, const ContactLaw &law);
 
   /**
    * True if no wave has kinks on a mesh: there is none, or viscosity spreads

@@ -95,21 +95,6 @@ namespace ThermoContact
                      const double       change,
                      const double       last_change);
   };
-
-
-
-  /**
-   * The step size (D7.3) above which the iteration of the paper fails while in
-   * contact: the root of $\Delta t^3=b\varepsilon^2(\Delta t+\zeta)$.
-   *
-   * @param inertia $b>0$
-   * @param viscosity $\zeta\ge0$
-   * @param compliance $\varepsilon>0$
-   */
-  double
-  critical_step_size(const double inertia,
-                     const double viscosity,
-                     const double compliance);
 } // namespace ThermoContact
 
 #endif
