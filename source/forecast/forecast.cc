@@ -172,6 +172,11 @@ namespace ThermoContact
     if (time.has_error_control())
       {
         cost.is_driven = scene.sources.any();
+        // a node with mass that bounces, on any law
+        cost.is_least = scene.material.has_inertia() &&
+                        scene.contact.law->is_active() &&
+                        !scene.contact.has_massless_nodes &&
+                        contact_nodes_oscillate(parameters, *scene.contact.law);
         const double scaled =
           scaled_steps(scene) + (cost.is_driven ? scaled_steps(loads) : 0.);
         cost.steps = std::ceil(std::max(

@@ -214,7 +214,10 @@ namespace ThermoContact
       const auto count = [&cost](const double n) {
         if (cost.is_exact)
           return significant(n, 12);
-        return (cost.is_driven ? "perhaps " : "about ") + about(n);
+        return (cost.is_least  ? "at least " :
+                cost.is_driven ? "perhaps " :
+                                 "about ") +
+               about(n);
       };
       std::string line = count(cost.steps) +
                          " steps; contact.csv: " + count(cost.rows) +

@@ -150,12 +150,13 @@ namespace ThermoContact
   /** What a run is expected to take and to write. */
   struct ExpectedCost
   {
-    double steps          = 0.;
-    bool   is_exact       = false; ///< of steps, rows and snapshots
-    bool   is_driven      = false; ///< steps follow loads
-    double rows           = 0.;    ///< of contact.csv
-    double row_bytes      = 0.;    ///< of contact.csv, about
-    double snapshots      = 0.;
+    double steps     = 0.;
+    bool   is_exact  = false; ///< of steps, rows and snapshots
+    bool   is_driven = false; ///< steps follow loads
+    bool   is_least  = false; ///< contact takes more, nobody knows how many
+    double rows      = 0.;    ///< of contact.csv
+    double row_bytes = 0.;    ///< of contact.csv, about
+    double snapshots = 0.;
     double snapshot_bytes = 0.; ///< of all of them, about
     double face_bytes     = 0.; ///< of the contact face, if there is one
     double cpu_seconds    = 0.; ///< of all processes; 0: a rod
