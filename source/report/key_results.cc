@@ -207,7 +207,9 @@ namespace ThermoContact
   KeyResults
   smooth_key_results(const Scene &scene, const RunHistory &history)
   {
-    KeyResults values           = key_results(scene, history);
+    KeyResults values = key_results(scene, history);
+    if (scene.scheme.has_no_dispersion)
+      return values; // rows are means over steps, among them fronts
     values["max_contact_force"] = history.force_peak.estimate();
     values["max_penetration"]   = history.penetration_peak.estimate();
     return values;

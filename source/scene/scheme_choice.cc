@@ -372,6 +372,10 @@ namespace ThermoContact
                            layer_of_impact(model.inertia,
                                            model.viscosity,
                                            law->tangent(0.)));
+      // below the default tolerance: errors of the mesh fall like h^p
+      const double tighter =
+        TimeParameters().tolerance / written.time.tolerance;
+      cells *= std::pow(std::max(1., tighter), 1. / mesh.degree);
       if (!(cells <= most))
         return 0;
       mesh.cells = std::ceil(cells * (1. - Tolerances::rounding_of_data));

@@ -12,14 +12,16 @@ namespace ThermoContact
     /**
      * True if the velocity of the contact end relative to the obstacle is, to
      * the order of the scheme, the rate of the penetration, on which alone the
-     * force depends. Between two obstacles it is not.
+     * force depends. Between two obstacles it is not, nor with the mean values
+     * over steps of the scheme without dispersion.
      */
     bool
     has_rates(const Scene &scene)
     {
       const ContactLaw &law = *scene.contact.law;
       return scene.parameters.dimension == 1 && scene.scheme.order > 1 &&
-             !scene.scheme.has_mean_velocity && !law.is_rigid() &&
+             !scene.scheme.has_mean_velocity &&
+             !scene.scheme.has_no_dispersion && !law.is_rigid() &&
              law.damping() == 0. && !scene.contact.is_two_sided();
     }
   } // namespace

@@ -343,12 +343,19 @@ namespace ThermoContact
     if (body.law().is_active())
       end.contact = solve_step_contact(body.law(), path);
     end.releases = releases;
-    if (const auto &now = releases.now; now && body.law().is_rigid())
+    if (auto &now = end.releases.now; now && body.law().is_rigid())
       {
-        end.contact.pressure =
+        const double pressure =
           now->side * now->part * now->before / path.response;
-        end.contact.velocity =
-          path.free_velocity - path.response * end.contact.pressure;
+        const double velocity = path.free_velocity - path.response * pressure;
+        if (std::max(path.front + size * (velocity - path.front_rate),
+                     path.rear - size * velocity) > 0.)
+          now.reset(); // it meets the other obstacle at once
+        else
+          {
+            end.contact.pressure = pressure;
+            end.contact.velocity = velocity;
+          }
       }
     take(values, end.contact.pressure, by_pressure);
     for (unsigned int i = 0; i < n; ++i)
@@ -556,27 +563,37 @@ namespace ThermoContact
     const int    side    = stopped != 0. ? (stopped > 0. ? 1 : -1) :
                                            (free > path.front_rate ? 1 : -1);
     const double rate    = side > 0 ? path.front_rate : 0.;
+    // what loads change on the way from the middle of the last cell
+    const double change = free - arriving(values_in(state, 0));
     // waves on their way back tell what came
     const auto came = [&](const unsigned int cell) {
       const CellValues values = values_in(state, cell);
-      return side * (arriving(values) - 2. * values.velocity + rate);
+      return side * (arriving(values) - 2. * values.velocity + rate +
+                     (1. + 2. * cell) * change);
     };
     const auto comes = [&](const unsigned int cell) {
-      return side * (arriving(later_values_in(state, path.size, cell)) - rate);
+      return side * (arriving(later_values_in(state, path.size, cell)) - rate +
+                     (1. + 2. * cell) * change);
     };
     const double coming[] = {
       came(1), came(0), side * (free - rate), comes(0), comes(1), comes(2)};
+    const auto around = [&](const unsigned int now) {
+      return std::abs(coming[now - 2] - coming[now - 1]) +
+             std::abs(coming[now + 2] - coming[now + 1]);
+    };
     const auto release = [&](const unsigned int now) -> std::optional<Release> {
       const double before = coming[now - 1], after = coming[now + 1];
       const double jump = before - after;
-      const double around =
-        std::abs(coming[now - 2] - before) + std::abs(coming[now + 2] - after);
-      if (before > 0. && after < 0. && around < 0.5 * jump &&
-          coming[now] <= before && coming[now] >= after)
+      if (std::min(before, 0. - after) > Tolerances::rounding_of_data * jump &&
+          around(now) < 0.5 * jump && coming[now] <= before &&
+          coming[now] >= after)
         return Release{side, (coming[now] - after) / jump, before, after};
       return std::nullopt;
     };
-    return {stopped != 0. ? release(2) : std::nullopt, release(3)};
+    Releases releases{stopped != 0. ? release(2) : std::nullopt, release(3)};
+    if (releases.now && releases.next) // one front, in the one or the other
+      (around(3) < around(2) ? releases.now : releases.next).reset();
+    return releases;
   }
 
 

@@ -73,6 +73,7 @@ class Scene:
         self.has_cells = s["Time/Scheme"] == "box"
         self.has_rates_of_force = (
             self.is_rod and not self.is_euler and not self.conserves and
+            not self.has_cells and
             self.condition not in ("rigid", "none") and not self.c > 0 and
             self.rear_gap == math.inf)
         self.is_driven = any(s.get(path, "0") != "0" for path in LOADS) or \
@@ -797,6 +798,7 @@ def check_counts(run):
      "final_temperature_end", "final_in_contact")
 def check_results(run):
     """From events.csv and the rows: counts, sums, largest and last values."""
+    s, scene = run.settings, scene_of(run)
     c, e, m = run.contact, run.events, run.summary
     is_begin = numpy.array([kind == "begin" for kind in e["kind"]], bool)
     begins, ends = (e["time"][mask] if len(e) else e["time"] for mask in (

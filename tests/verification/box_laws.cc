@@ -48,6 +48,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -429,9 +430,14 @@ main_box_laws()
                                           6. - std::sqrt(0.2),
                                           8. + std::sqrt(0.4),
                                           11.};
-    double error = begins.size() == expected.size() ? 0. : 1.;
-    for (unsigned int i = 0; i < std::min(begins.size(), expected.size()); ++i)
-      raise(error, std::abs(begins[i] - expected[i]));
+    double                    error    = 0.;
+    for (const double begin : expected)
+      {
+        double nearest = 1.; // touches without pressure are others
+        for (const double found : begins)
+          nearest = std::min(nearest, std::abs(found - begin));
+        raise(error, nearest);
+      }
     deallog << "falling: begins " << noise_within(error, 1e-4) << "; peak "
             << noise_within(std::abs(r.peak - 1.), 1.26e-3) << ", impulse "
             << noise_within(std::abs(r.rows.back().contact_impulse - 3.3), 1e-4)
