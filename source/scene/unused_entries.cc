@@ -6,7 +6,6 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
-#include <thermocontact/scene/scheme_choice.h>
 
 #include <set>
 
@@ -184,12 +183,8 @@ namespace ThermoContact
                    "Time/Minimum step size",
                    "Time/Maximum step size"},
                   steps);
-    // automatic cells follow from it, which used.prm has as a number
+    // it decides on automatic cells, which used.prm has as a number
     unused.add_if(has_fixed_steps && !is_box, {"Time/Tolerance"}, steps);
-    unused.add_if(is_box && parameters.mesh.cells !=
-                              cells_of_tolerance(parameters.time.tolerance),
-                  {"Time/Tolerance"},
-                  "Mesh/Cells = a number");
     const OutputParameters &output = parameters.output;
     unused.add_if(output.fields_interval == 0. &&
                     output.contact_interval == 0. &&

@@ -116,10 +116,6 @@ SCENES = [
     ("Time/Step size = a number", """Time/Tolerance; Time/First step size; Time/Minimum step size;
      Time/Maximum step size""", (STEPS,),
      ("Time/Step size=automatic",)),
-    # 1e-4 asks for 200 cells, which used.prm has beside it
-    ("Mesh/Cells = a number", "Time/Tolerance", ("Time/Scheme=box", "Mesh/Cells=100"),
-     ("Time/Scheme=box",), ("Time/Scheme=box", "Mesh/Cells=200"),
-     ("Time/Scheme=sdirk4", "Mesh/Cells=100")),
     ("Output/Contact interval = 0 and no other interval is set",
      "Output/Land on output times", QUIET, QUIET + ("Output/Contact interval=1",),
      ("Output/Fields interval=1",), QUIET + ("Output/Space-time interval=1",)),
