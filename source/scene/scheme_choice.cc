@@ -8,6 +8,8 @@
 #include <thermocontact/method/critical_step.h>
 #include <thermocontact/scene/scheme_choice.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -313,9 +315,19 @@ namespace ThermoContact
         return false;
       const auto law =
         contact_law(parameters.contact.condition).make(parameters.contact.law);
-      if (law->is_active() &&
-          !(law->is_linear() && law->tangent(0.) >= resolved))
-        return true;
+      if (law->is_active())
+        {
+          if (!law->is_linear())
+            return true;
+          // the wave of a mass on the end that swings on the obstacle
+          const double compliance = law->tangent(0.);
+          const double wave =
+            2. * dealii::numbers::PI *
+            std::sqrt(compliance * parameters.boundary.right.mass /
+                      parameters.model.inertia);
+          if (std::max(compliance, wave) < resolved)
+            return true;
+        }
       const BoundaryParameters &boundary = parameters.boundary;
       return parameters.dimension == 1 &&
              (has_jump_of_initial_values(parameters) ||

@@ -395,6 +395,11 @@ namespace ThermoContact
              "fronts of waves ring on any, since nothing smooths them; remedy: " +
              (scene.parameters.dimension > 1 ?
                 "the impulse, which is right, or Dimension = 1 for a rod" :
+              scene.parameters.boundary.left.mass > 0. ||
+                  scene.parameters.boundary.right.is_any() ?
+                "the impulse, which is right, or a softer obstacle: the scheme "
+                "without dispersion has no masses, and springs and dashpots on "
+                "the left alone" :
                 "Time/Scheme = box, with automatic Mesh/Cells, Mesh/Degree and "
                 "Time/Step size");
     return text(start,

@@ -178,6 +178,9 @@ FRONTS = ("the largest force is that of the mesh: fronts of waves ring on any, s
           "smooths them; remedy: ")
 FRONTS_OF_ROD = FRONTS + ("Time/Scheme = box, with automatic Mesh/Cells, Mesh/Degree and "
                           "Time/Step size")
+FRONTS_OF_MASS = FRONTS + (
+    "the impulse, which is right, or a softer obstacle: the scheme without dispersion has no "
+    "masses, and springs and dashpots on the left alone")
 FRONTS_OF_BODY = FRONTS + "the impulse, which is right, or Dimension = 1 for a rod"
 BOUNCING = "Contact/Massless nodes = off: contact nodes with mass bounce"
 
@@ -198,19 +201,27 @@ def warnings_of(overrides, directory, is_of_mesh=False):
     if not said(screen) == log == summary:
         return [f"screen {said(screen)}, log {log}, summary {summary}"]
     return [line for line in summary if line.startswith(OF_MESH) == is_of_mesh and
-            line not in (FRONTS_OF_ROD, FRONTS_OF_BODY)]
+            line not in (FRONTS_OF_ROD, FRONTS_OF_BODY, FRONTS_OF_MASS)]
+
+
+SPRING = ("Contact/Condition=normal compliance", "Contact/Compliance=0.01")
 
 
 def check_fronts():
     """An elastic rod at rest that a wall meets, by default, with a scheme that has
-    dispersion, and as a strip: in the first alone the largest force is right."""
+    dispersion, as a strip, and with masses: in the first and the last the largest force is
+    right."""
     scene = ("Model/Fields=displacement", "Model/Viscosity=0", "Contact/Condition=rigid",
              "Contact/Gap=-0.01*t", "Initial values/Velocity=0", "Time/End time=0.2",
              "Mesh/Cells=4", "Mesh/Cells across=1")
     Path("empty.prm").write_text("# defaults\n", encoding="utf-8")
     for number, (more, expected) in enumerate((
             ((), []), (("Time/Scheme=sdirk4",), [FRONTS_OF_ROD]),
-            (("Dimension=2",), [FRONTS_OF_BODY]))):
+            (("Dimension=2",), [FRONTS_OF_BODY]),
+            (("Boundary/left/Support=free", "Boundary/left/Mass=1"), [FRONTS_OF_MASS]),
+            # a wave of 2 pi (0.01 M/b)^(1/2) on eight nodes of 1/16
+            (SPRING + ("Boundary/right/Mass=0.6",), [FRONTS_OF_MASS]),
+            (SPRING + ("Boundary/right/Mass=0.7",), []))):
         directory = Path(f"fronts-{number}")
         status, _, message = run("--output", directory, *settings(
             [entry for entry in scene + more
