@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <fstream>
 #include <numeric>
 #include <vector>
 
@@ -21,12 +22,16 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Largest memory so far of each rank in MB. */
+    /**
+     * Largest memory so far of each rank in MB; 0 where there is no /proc, in
+     * which deal.II would read for ever.
+     */
     std::vector<double>
     peak_memory_per_rank(const MPI_Comm communicator)
     {
-      Utilities::System::MemoryStats memory;
-      Utilities::System::get_memory_stats(memory);
+      Utilities::System::MemoryStats memory{};
+      if (std::ifstream("/proc/self/status"))
+        Utilities::System::get_memory_stats(memory);
       return all_gather(communicator, memory.VmHWM / 1024.);
     }
 
