@@ -17,6 +17,7 @@ namespace ThermoContact
     : body(body)
     , solver(body)
     , end_node(body.discretization.n_displacement_dofs() - 1)
+    , cell_size(body.scene.parameters.mesh.contact_spacing())
     , impedance(std::sqrt(body.scene.material.inertia))
     , n_heat_stages(body.scene.fields.has_temperature ? HeatStages::n : 0)
     , rates(solver.make_rates())
@@ -537,8 +538,7 @@ namespace ThermoContact
   BoxIntegrator::difference(const Vector &vector, const unsigned int cell) const
   {
     const unsigned int i = end_node - cell;
-    return (vector.begin()[i] - vector.begin()[i - 1]) /
-           body.scene.parameters.mesh.contact_spacing();
+    return (vector.begin()[i] - vector.begin()[i - 1]) / cell_size;
   }
 
 
@@ -546,8 +546,7 @@ namespace ThermoContact
   bool
   BoxIntegrator::has_waves() const
   {
-    return body.scene.material.viscosity <
-           impedance * body.scene.parameters.mesh.contact_spacing();
+    return body.scene.material.viscosity < impedance * cell_size;
   }
 
 

@@ -250,7 +250,7 @@ namespace
     const Scene          scene{Parameters()};
     const OutputUnits    units(scene.parameters);
     CsvFile<StepRecord>  contact("contact.csv", contact_columns(scene), units);
-    CsvFile<EventRow>    events("events.csv", event_columns(false), units);
+    CsvFile<EventRow>    events("events.csv", event_columns(scene), units);
     CsvFile<StepAttempt> steps("steps.csv", attempt_columns(), units);
     contact.open(".", "", 0);
     events.open(".", "", 0);

@@ -12,7 +12,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <limits>
+#include <string>
+#include <vector>
 
 #include "../tests.h"
 
@@ -37,22 +38,29 @@ void
 main_obstacle_file()
 {
   initlog();
-  Parameters           parameters = read_parameters("",
-                                          {"Dimension=2",
-                                                     "Mesh/Geometry=axisymmetric",
-                                                     "Mesh/Width=0.2",
-                                                     "Mesh/Cells=2",
-                                                     "Mesh/Cells across=2",
-                                                     "Mesh/Degree=2",
-                                                     "Contact/Gap=0.02+y^2/2"});
-  const Scene          scene(parameters);
-  const Body<2>        body(scene, MPI_COMM_SELF);
-  const ContactEnd<2> &end = body.contact_end();
-  const OutputUnits    units(parameters);
-  deallog << "nodes with pressure " << end.n_nodes() << ", gap" << std::endl;
-  print(obstacle_shape(end, units, std::numeric_limits<double>::infinity()), 0);
-  deallog << "range " << end.range_of_gap().first << ' '
-          << end.range_of_gap().second << std::endl
-          << "with a rear stop, x - 1" << std::endl;
-  print(obstacle_shape(end, units, 0.01), 1);
+  const std::vector<std::string> entries = {"Dimension=2",
+                                            "Mesh/Geometry=axisymmetric",
+                                            "Mesh/Width=0.2",
+                                            "Mesh/Cells=2",
+                                            "Mesh/Cells across=2",
+                                            "Mesh/Degree=2",
+                                            "Contact/Gap=0.02+y^2/2"};
+  for (const bool has_rear_stop : {false, true})
+    {
+      std::vector<std::string> all(entries);
+      if (has_rear_stop)
+        all.push_back("Contact/Rear gap=0.01");
+      const Scene          scene(read_parameters("", all));
+      const Body<2>        body(scene, MPI_COMM_SELF);
+      const ContactEnd<2> &end = body.contact_end();
+      const OutputUnits    units(scene.parameters);
+      if (!has_rear_stop)
+        deallog << "nodes with pressure " << end.n_nodes() << ", gap"
+                << std::endl;
+      else
+        deallog << "range " << end.range_of_gap().first << ' '
+                << end.range_of_gap().second << std::endl
+                << "with a rear stop, x - 1" << std::endl;
+      print(obstacle_shape(body, units), has_rear_stop);
+    }
 }

@@ -44,6 +44,7 @@ namespace ThermoContact
     Body<1>           &body;
     BoxSolver          solver;
     const unsigned int end_node;  ///< its place in a vector of displacements
+    const double       cell_size; ///< $h$
     double             impedance; ///< $1/\chi$, of a viscous rod $\sqrt b$
     const unsigned int n_heat_stages; ///< 0: there is no heat
 
