@@ -405,13 +405,15 @@ namespace ThermoContact
     entry("Temperature", temperature, field)
       .means("Temperature theta_0.", "temperature");
     entry("Displacement", displacement, field)
-      .means("Displacement u_0, zero at x = 0; components separated by ';', "
-             "one alone is the axial one.",
-             "length");
+      .means(
+        "Displacement u_0, zero at an end x = 0 that is held; components separated by ';', "
+        "one alone is the axial one.",
+        "length");
     entry("Velocity", velocity, field)
-      .means("Velocity u_1, zero at x = 0; components separated by ';', one "
-             "alone is the axial one.",
-             "velocity");
+      .means(
+        "Velocity u_1, zero at an end x = 0 that is held; components separated by ';', one "
+        "alone is the axial one.",
+        "velocity");
   }
 
 

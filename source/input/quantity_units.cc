@@ -103,9 +103,9 @@ namespace ThermoContact
     static const std::pair<double, const char *> prefixes[] = {
       {1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1., ""}, {1e-3, "m"}, {1e-6, "u"}};
     // times and temperatures have a unit that fits
-    const bool is_scaled = kind != "time" && kind != "s" && kind != "MB" &&
-                           kind != "temperature" &&
-                           kind != "temperature difference" && number != 0.;
+    const bool is_scaled =
+      kind != "time" && kind != "s" && kind != "MB" && kind != "temperature" &&
+      kind != "temperature difference" && kind != "mass" && number != 0.;
     if (is_scaled)
       for (const auto &[size, prefix] : prefixes)
         if (std::abs(number) >= 0.9999995 * size || size == 1e-6)

@@ -319,11 +319,11 @@ namespace ThermoContact
                                heat.fixed_end_drive->expression.text()) :
                     units.text("temperature", heat.fixed_end_temperature)) :
              heat.left_exchange > 0. ?
-               text("k_A = ",
-                    heat.left_exchange,
-                    ", theta_sA = ",
-                    units.text("temperature", heat.fixed_end_temperature)) :
-               "x = 0: insulated",
+               "k_A = " + units.text("heat exchange", heat.left_exchange) +
+                 ", theta_sA = " +
+                 units.text("temperature", heat.fixed_end_temperature) :
+             scene.sources.has_left_heat_flux ? "" :
+                                                "x = 0: insulated",
              exchange.empty() ? heat.exchange->description() :
                                 "k = " + exchange,
              "theta_obs = " +

@@ -232,8 +232,9 @@ namespace ThermoContact
       if (!law.is_active() || parameters.model.inertia == 0. ||
           parameters.mesh.n_nodes(1) == 2.)
         return false;
-      if (scheme.has_no_dispersion || parameters.boundary.right.mass > 0.)
-        return false; // its mass matrix knows no single nodes, or they have one
+      const BoundaryParameters::Right &right = parameters.boundary.right;
+      if (scheme.has_no_dispersion || right.mass > 0. || right.dashpot > 0.)
+        return false; // its mass matrix knows no single nodes, or they carry it
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
       if (law.damping() > 0.)

@@ -510,6 +510,13 @@ namespace ThermoContact
             attached.since(scene.is_fixed_point,
                            "Solver/Step solver = fixed point",
                            "Solver/Step solver = monolithic");
+            attached.since(scene.scheme.needs_massless_contact &&
+                             scene.contact.law->is_active() &&
+                             end == &boundary.right && value != end->spring,
+                           name_of_scheme(scene),
+                           take_default_scheme(
+                             "the contact nodes of that one carry nothing that "
+                             "resists velocities"));
             const bool is_left_mass = name == of_mass && end == &boundary.left;
             attached.since(scene.scheme.has_no_dispersion &&
                              (end == &boundary.right || is_left_mass),
@@ -518,10 +525,13 @@ namespace ThermoContact
                              "that one has springs and dashpots on the left "
                              "alone"));
           }
+      const bool has_mass = boundary.right.mass > 0.;
       Refusal{"Contact/Massless nodes", "on", "automatic or off"}.since(
-        parameters.contact.massless_nodes == "on" && boundary.right.mass > 0.,
-        text("Boundary/right/Mass = ", boundary.right.mass),
-        "Contact/Massless nodes = automatic: the contact node has the mass");
+        parameters.contact.massless_nodes == "on" &&
+          (has_mass || boundary.right.dashpot > 0.),
+        has_mass ? "Boundary/right/Mass above 0" :
+                   "Boundary/right/Dashpot above 0",
+        "Contact/Massless nodes = automatic: the contact node carries it");
     }
 
 
@@ -544,8 +554,10 @@ namespace ThermoContact
                       boundary.left.spring + boundary.right.spring;
       support.since(!scene.material.has_inertia() && resistance == 0.,
                     no_inertia,
-                    text("Model/Inertia above 0, or Boundary/left/",
-                         is_viscous ? "Dashpot" : "Spring",
+                    text("Model/Inertia above 0",
+                         scene.parameters.dimension > 1 ? "" :
+                         is_viscous ? ", or Boundary/left/Dashpot" :
+                                      ", or Boundary/left/Spring",
                          ": nothing resists a motion of the whole body"));
       support.since(scene.is_fixed_point,
                     "Solver/Step solver = fixed point",

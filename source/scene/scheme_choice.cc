@@ -272,7 +272,7 @@ namespace ThermoContact
             std::pair("Boundary/right/Dashpot",
                       parameters.boundary.right.dashpot)})
         if (value > 0.)
-          return as_text(path, value);
+          return path + std::string(" above 0");
       if (time.step_size)
         return "Time/Step size = a number";
       if (time.first_step_size)
@@ -432,8 +432,11 @@ namespace ThermoContact
 
 
 
-    /** The entries with this scheme, and all that follows from it. */
-    /** @param cells that resolve fronts, where they are automatic; 0: none */
+    /**
+     * The entries with this scheme, and all that follows from it.
+     *
+     * @param cells that resolve fronts, where they are automatic; 0: none
+     */
     SchemeChoice
     with_scheme(const Parameters  &written,
                 const Scheme      &scheme,

@@ -41,9 +41,6 @@ namespace ThermoContact
     double
     allowed_energy(const Scene &scene)
     {
-      // the release within a cell takes back what the mean over it has lost
-      if (scene.scheme.has_no_dispersion && scene.contact.law->is_rigid())
-        return 1. / scene.parameters.mesh.n_cells(1);
       return scene.scheme.can_create_energy &&
                  !scene.parameters.time.has_error_control() ?
                Tolerances::energy_of_fixed_steps :
@@ -55,6 +52,8 @@ namespace ThermoContact
     std::string
     remedy_for(const Scene &scene)
     {
+      if (scene.scheme.has_no_dispersion)
+        return "more Mesh/Cells";
       std::string remedy = scene.parameters.time.has_error_control() ?
                              "a smaller Time/Tolerance" :
                              "a smaller Time/Step size";
@@ -77,6 +76,8 @@ namespace ThermoContact
   EnergyMonitor::EnergyMonitor(const Scene &scene)
     : scene(scene)
     , is_active(!scene.has_work())
+    , gives_back(scene.scheme.has_no_dispersion &&
+                 scene.contact.law->is_rigid())
     , allowed_per_run(allowed_energy(scene))
     , allowed_per_step(scene.parameters.time.has_error_control() ?
                          2. * scene.parameters.time.tolerance :
@@ -107,7 +108,7 @@ namespace ThermoContact
     scale                = std::max(scale, terms.magnitude());
     const double created = terms.sum() - smallest;
     ++n_steps;
-    if (created <= 0.)
+    if (created <= 0. && !gives_back)
       {
         smallest = terms.sum();
         n_steps  = 0;

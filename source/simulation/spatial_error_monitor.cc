@@ -390,6 +390,12 @@ namespace ThermoContact
              "behind an impact on a rigid obstacle the force of a viscous body "
              "grows without limit as cells get smaller; remedy: the impulse, "
              "which has a limit, or Contact/Condition = normal compliance";
+    if (scene.scheme_choice.has_unresolved_fronts &&
+        scene.material.has_viscosity())
+      return start +
+             "it does not resolve the fronts of waves, which viscosity smooths; "
+             "remedy: more Mesh/Cells, or a higher Mesh/Degree" +
+             (scene.parameters.dimension > 1 ? "" : ", or both automatic");
     if (scene.scheme_choice.has_unresolved_fronts)
       return start +
              "fronts of waves ring on any, since nothing smooths them; remedy: " +

@@ -46,8 +46,9 @@ namespace ThermoContact
 
 
     /**
-     * The load at places in the body, or on its @p end at this x, that are spread evenly and
-     * lie nowhere special; at one if it is the same everywhere.
+     * The load at places in the body, or on its @p end at this x, that are
+     * spread evenly and lie nowhere special; at one if it is the same
+     * everywhere.
      */
     std::vector<TimeFunction>
     at_places(const Expression           &load,

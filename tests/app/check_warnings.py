@@ -178,6 +178,9 @@ FRONTS = ("the largest force is that of the mesh: fronts of waves ring on any, s
           "smooths them; remedy: ")
 FRONTS_OF_ROD = FRONTS + ("Time/Scheme = box, with automatic Mesh/Cells, Mesh/Degree and "
                           "Time/Step size")
+FRONTS_OF_MESH = (
+    "the largest force is that of the mesh: it does not resolve the fronts of waves, which "
+    "viscosity smooths; remedy: more Mesh/Cells, or a higher Mesh/Degree, or both automatic")
 FRONTS_OF_MASS = FRONTS + (
     "the impulse, which is right, or a softer obstacle: the scheme without dispersion has no "
     "masses, and springs and dashpots on the left alone")
@@ -201,7 +204,7 @@ def warnings_of(overrides, directory, is_of_mesh=False):
     if not said(screen) == log == summary:
         return [f"screen {said(screen)}, log {log}, summary {summary}"]
     return [line for line in summary if line.startswith(OF_MESH) == is_of_mesh and
-            line not in (FRONTS_OF_ROD, FRONTS_OF_BODY, FRONTS_OF_MASS)]
+            line not in (FRONTS_OF_ROD, FRONTS_OF_BODY, FRONTS_OF_MASS, FRONTS_OF_MESH)]
 
 
 SPRING = ("Contact/Condition=normal compliance", "Contact/Compliance=0.01")
@@ -219,6 +222,7 @@ def check_fronts():
             ((), []), (("Time/Scheme=sdirk4",), [FRONTS_OF_ROD]),
             (("Dimension=2",), [FRONTS_OF_BODY]),
             (("Boundary/left/Support=free", "Boundary/left/Mass=1"), [FRONTS_OF_MASS]),
+            (SPRING + ("Model/Viscosity=0.01", "Mesh/Degree=2"), [FRONTS_OF_MESH]),
             # a wave of 2 pi (0.01 M/b)^(1/2) on eight nodes of 1/16
             (SPRING + ("Boundary/right/Mass=0.6",), [FRONTS_OF_MASS]),
             (SPRING + ("Boundary/right/Mass=0.7",), []))):

@@ -32,7 +32,8 @@ namespace ThermoContact
     /**
      * A number, or an expression, whose text is not looked at.
      *
-     * @param names that it may use, "y, z, t": DeclaredEntry::variables     * @param is_signed the number may be negative
+     * @param names that it may use, "y, z, t": DeclaredEntry::variables
+     * @param is_signed the number may be negative
      * @param or_word another word that is allowed; empty: there is none
      */
     static NumberOrText

@@ -51,6 +51,10 @@ namespace ThermoContact
   private:
     const Scene &scene;
     const bool   is_active;
+
+    /** A release within a cell gives back what the mean over it has lost,
+     * (C6.15): the energy is compared with that of the start. */
+    const bool   gives_back;
     const double allowed_per_run;  ///< relative to the scale
     const double allowed_per_step; ///< likewise
     double       smallest;         ///< energy so far
