@@ -155,8 +155,12 @@ def check_contact_law(run):
         yield differences(c["in_contact"], 0 * c["time"], 0)
         return
     p, traction = c["contact_force"], scene.at_end("Boundary/right/Traction", c["time"])
-    yield differences(c["stress_end"], traction - p, EXACT, max(
-        1., abs(p).max(), abs(traction).max()))
+    spring, dashpot, mass = (run.settings.number(f"Boundary/right/{what}") for what in (
+        "Spring", "Dashpot", "Mass"))
+    carried = spring * c["displacement_end"] + (dashpot * c["velocity_end"] if dashpot else 0)
+    yield differences(c["stress_end"], traction - p - carried if mass == 0 else
+                      numpy.full(len(c), math.nan), EXACT, max(
+                          1., abs(p).max(), abs(traction).max(), abs(carried).max()))
     if not scene.has_obstacle:
         yield differences(p, 0 * p, 0)
         return
@@ -681,6 +685,9 @@ def check_names(run):
         "heat exchange": scene.has_states or float(exchange) > 0,
         "lateral heat exchange": s.number("Boundary/sides/Heat exchange") > 0,
         "inertia": has_inertia, "elasticity": scene.moves,
+        "free end on the left": scene.moves and s.get("Boundary/left/Support") == "free",
+        **{f"{what.lower()} on the {end}": s.number(f"Boundary/{end}/{what}") > 0
+           for end in ("left", "right") for what in ("Spring", "Dashpot", "Mass")},
         "viscosity": scene.moves and scene.zeta > 0, "thermal stress": scene.a != 0,
         "thermoelastic heating": scene.a and s["Model/Thermoelastic heating"] == "true",
         "rigid contact": scene.condition == "rigid",
@@ -705,7 +712,9 @@ def check_names(run):
         w = spacing / (degree + 1)
         critical = (2 * w * math.sqrt(1 + w / scene.epsilon)
                     if scene.condition == "normal compliance" else spacing)
-        if ("massless contact nodes" in terms) != (scene.b > 0 and not scene.c and n * degree > 1 and (
+        carries = s.number("Boundary/right/Mass") + s.number("Boundary/right/Dashpot") > 0
+        if ("massless contact nodes" in terms) != (
+                scene.b > 0 and not scene.c and not carries and n * degree > 1 and (
                 scene.conserves or not scene.is_rod and scene.condition == "rigid" or
                 scene.zeta < critical * math.sqrt(scene.b))):
             yield "massless contact nodes"

@@ -28,6 +28,29 @@ class WideScene(dict):
             self["Contact/Massless nodes"] = "on"
         if seed % 5 == 2 and self.get("Model/Inertia") and not self.is_plane:
             self.take_box()
+        self.r = random.Random(f"ends {seed}")
+        if self.get("Model/Inertia") and self.happens(0.3):
+            self.draw_ends()
+
+    def draw_ends(self):
+        """What a scheme can have; the body's own mass is b."""
+        conserves, is_box = (self.get("Time/Scheme") == name for name in (
+            "energy conserving", "box"))
+        if self.happens(0.7):
+            self["Boundary/left/Support"] = "free"
+            self.pop("Boundary/left/Displacement", None)
+        if self.is_plane:
+            return
+        b = self["Model/Inertia"]
+        sizes = {"Spring": 1., "Dashpot": b**0.5, "Mass": b}
+        for end in ("left", "right"):
+            for what, size in sizes.items():
+                is_there = "Boundary/left/Support" in self if end == "left" else not is_box
+                if what != "Spring" and end == "right":
+                    is_there &= not conserves and self.get("Contact/Massless nodes") != "on"
+                if is_there and not (is_box and what == "Mass") and self.happens(0.3):
+                    self[f"Boundary/{end}/{what}"] = float(
+                        f"{size * self.number(1e-2, 10, 1e-6, 1e6):.3g}")
 
     def take_box(self):
         """Waves pass a cell in a step: as many cells as make steps about as long."""
