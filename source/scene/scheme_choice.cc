@@ -372,6 +372,7 @@ namespace ThermoContact
       Parameters      parameters = written;
       MeshParameters &mesh       = parameters.mesh;
       mesh.cells                 = 1;
+      mesh.refinements           = 0; // of them, not instead of them
       mesh.degree                = degree_for_fronts(written.mesh);
       const double most          = stages_of_box *
                           cells_of_tolerance(written.time.tolerance) /
@@ -540,7 +541,9 @@ namespace ThermoContact
     if (!reason.empty())
       return with_scheme(written, default_scheme(), reason);
     const unsigned int cells = cells_of_fronts(written);
-    if (cells > 0 && (written.mesh.cells == 0 || written.mesh.cells >= cells))
+    if (cells > 0 &&
+        (written.mesh.cells == 0 ||
+         std::ldexp(written.mesh.cells, written.mesh.refinements) >= cells))
       return with_scheme(written,
                          default_scheme(),
                          "its mesh resolves all fronts",
