@@ -479,52 +479,51 @@ namespace ThermoContact
     {
       const Parameters         &parameters = scene.parameters;
       const BoundaryParameters &boundary   = parameters.boundary;
-      for (const auto &[part, end, is_loose] :
-           {std::make_tuple("Boundary/left/",
-                            static_cast<const BoundaryParameters::Attached *>(
-                              &boundary.left),
-                            scene.has_free_end),
-            std::make_tuple("Boundary/right/",
-                            static_cast<const BoundaryParameters::Attached *>(
-                              &boundary.right),
-                            true)})
-        for (const auto &[name, value] : {std::pair("Spring", end->spring),
-                                          std::pair("Dashpot", end->dashpot),
-                                          std::pair("Mass", end->mass)})
+      const auto                check_end = [&](const std::string                  &part,
+                                 const BoundaryParameters::Attached &end,
+                                 const bool is_contact_end) {
+        for (const auto &[name, value, resists_velocity] :
+             {std::make_tuple("Spring", end.spring, false),
+              std::make_tuple("Dashpot", end.dashpot, true),
+              std::make_tuple("Mass", end.mass, true)})
           {
-            if (value == 0. || !is_loose)
+            if (value == 0.)
               continue;
-            const Refusal attached{std::string(part) + name, text(value), "0"};
-            const std::string of_mass = "Mass", of_dashpot = "Dashpot";
+            const std::string path    = part + name;
+            const bool        is_mass = path == part + "Mass";
+            const Refusal     attached{path, text(value), "0"};
             attached.since(parameters.dimension > 1,
                            text("Dimension = ", parameters.dimension),
-                           std::string(part) + name +
+                           path +
                              " = 0: only rods carry something on their ends");
-            attached.since(name == of_mass && !scene.material.has_inertia(),
+            attached.since(is_mass && !scene.material.has_inertia(),
                            no_inertia,
                            "Model/Inertia above 0, such as 1e-3 of the mass");
-            attached.since(name == of_dashpot && scene.material.is_static(),
+            attached.since(resists_velocity && scene.material.is_static(),
                            "Model/Inertia = 0 and Model/Viscosity = 0",
                            "one of them above 0: a body without both moves at "
-                           "once where a load jumps, against any dashpot");
+                                          "once where a load jumps, against any dashpot");
             attached.since(scene.is_fixed_point,
                            "Solver/Step solver = fixed point",
                            "Solver/Step solver = monolithic");
             attached.since(scene.scheme.needs_massless_contact &&
-                             scene.contact.law->is_active() &&
-                             end == &boundary.right && value != end->spring,
+                             scene.contact.law->is_active() && is_contact_end &&
+                             resists_velocity,
                            name_of_scheme(scene),
                            take_default_scheme(
                              "the contact nodes of that one carry nothing that "
-                             "resists velocities"));
-            const bool is_left_mass = name == of_mass && end == &boundary.left;
+                                            "resists velocities"));
             attached.since(scene.scheme.has_no_dispersion &&
-                             (end == &boundary.right || is_left_mass),
+                             (is_contact_end || is_mass),
                            name_of_scheme(scene),
                            take_default_scheme(
                              "that one has springs and dashpots on the left "
-                             "alone"));
+                                            "alone"));
           }
+      };
+      if (scene.has_free_end)
+        check_end("Boundary/left/", boundary.left, false);
+      check_end("Boundary/right/", boundary.right, true);
       const bool has_mass = boundary.right.mass > 0.;
       Refusal{"Contact/Massless nodes", "on", "automatic or off"}.since(
         parameters.contact.massless_nodes == "on" &&

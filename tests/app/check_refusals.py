@@ -216,6 +216,9 @@ SCENES = [
        f"Boundary/right/{what}=0", "Boundary/right/Spring=1",
        (f"Boundary/right/{what}=1", "Contact/Condition=none"),
        FREE + (f"Boundary/left/{what}=1",)) for what in ("Mass", "Dashpot")],
+    # a spring of the same size
+    ("Boundary/right/Mass", CONSERVING + ("Boundary/right/Spring=1",), "Boundary/right/Mass=1",
+     "Boundary/right/Mass=0"),
     ("Boundary/left/Support", QUASI_STATIC, *FREE, "Boundary/left/Support=clamped",
      FREE + ("Boundary/left/Dashpot=1",), FREE + ("Boundary/right/Dashpot=1",)),
     ("Boundary/left/Support", QUASI_STATIC + PLANE, *FREE, "Boundary/left/Support=clamped"),

@@ -375,7 +375,8 @@ namespace
                        row.numerical_dissipation - row.work - first.energy));
       }
     deallog << "audit: balance " << within(balance / size, 1e-12)
-            << ", in contact " << result.events.empty() << std::endl;
+            << (result.events.empty() ? ", no contact" : ", with contact")
+            << std::endl;
   }
 } // namespace
 

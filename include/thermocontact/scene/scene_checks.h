@@ -91,8 +91,8 @@ namespace ThermoContact
   std::string
   oscillation_warning(const Scene &scene);
 
-  /** A warning if a mass on the contact end meets a rigid obstacle, at which
-   * what stops is lost; or nothing. */
+  /** A warning if a mass on the contact end meets a rigid obstacle, where it
+   * stops without rebound and loses its energy; or nothing. */
   std::string
   impact_warning(const Scene &scene);
 } // namespace ThermoContact

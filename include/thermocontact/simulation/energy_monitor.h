@@ -52,8 +52,8 @@ namespace ThermoContact
     const Scene &scene;
     const bool   is_active;
 
-    /** A release within a cell gives back what the mean over it has lost,
-     * (C6.15): the energy is compared with that of the start. */
+    /** A release within a cell gives back the energy that the mean over the
+     * cell has lost, (C6.15): the energy is compared with its first value. */
     const bool   gives_back;
     const double allowed_per_run;  ///< relative to the scale
     const double allowed_per_step; ///< likewise

@@ -139,8 +139,8 @@ namespace ThermoContact
     }
 
     /**
-     * Those of a clamped end with a given temperature, which leave no rigid
-     * motion.
+     * The constraints of a clamped end with a given temperature, which leave no
+     * rigid motion.
      */
     AffineConstraints<double>
     clamped_constraints() const
