@@ -117,7 +117,7 @@ namespace ThermoContact
      *   MPI read them, too
      */
     std::vector<const char *>
-    tell_mpi_of_single_process()
+    declare_single_process()
     {
       std::vector<const char *> names;
       for (const char *const by_launcher :
@@ -238,7 +238,7 @@ main(int argc, char **argv)
 
   const Timer since_start;
   const auto  ignored  = ignored_signals();
-  const auto  to_unset = tell_mpi_of_single_process();
+  const auto  to_unset = declare_single_process();
   // The arguments are ours alone: PETSc, which deal.II starts too, obeys those
   // that it knows and, in Debian 13, prints those that it does not.
   int                              n_arguments    = 1;

@@ -8,7 +8,7 @@ import numpy
 
 from .errors import Error
 from .optional import optional_module
-from .program import run_silently, tell_warnings
+from .program import run_silently, issue_warnings
 from .table import Table
 
 
@@ -167,6 +167,6 @@ def fit(unknowns, measured, base=None, entries=None, step=0.01, processes=None,
     table = Table({"column": numpy.array(data.columns), "time": data.times,
                    **dict(zip(names, sensitivities.T))})
     best = run_at(found.x)
-    tell_warnings(best)
+    issue_warnings(best)
     return Fit(dict(zip(names, map(float, values))), covariance, chi_square, data, table,
                best, len(known) + 1)

@@ -71,7 +71,7 @@ def _message_in(text):
     return re.split(r"\n-{20,}\n", message)[0].strip() or text.strip()
 
 
-def tell_warnings(result):
+def issue_warnings(result):
     """Each warning of a run or a study once, as a RunWarning of the caller's caller."""
     for text in result.warnings:
         warnings.warn(text, RunWarning, stacklevel=3)
@@ -122,7 +122,7 @@ def run_silently(entries=None, base=None, output=None, progress=None, resume=Fal
 @functools.wraps(run_silently, assigned=["__doc__"])
 def run(*arguments, **options):
     result = run_silently(*arguments, **options)
-    tell_warnings(result)
+    issue_warnings(result)
     return result
 
 
@@ -147,5 +147,5 @@ def study(vary, base=None, entries=None, processes=None, output=None, **options)
                                for path, column in zip(paths, zip(*values))))
     result = run_silently({**(entries or {}), "Study/Vary": " ; ".join(axes)}, base, output,
                  ranks=processes or os.cpu_count() or 1, **options)
-    tell_warnings(result)
+    issue_warnings(result)
     return result.table.to_pandas()

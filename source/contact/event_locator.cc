@@ -268,7 +268,7 @@ namespace ThermoContact
 
 
   void
-  EventLocator::leave_to_law()
+  EventLocator::finish_by_law()
   {
     mode_ = ContactMode::unilateral;
   }
@@ -283,7 +283,7 @@ namespace ThermoContact
     if (!pending.empty())
       {
         pending.clear();
-        leave_to_law();
+        finish_by_law();
         return false;
       }
     const bool begins = mode_ == ContactMode::open;
@@ -292,7 +292,7 @@ namespace ThermoContact
         side = new_side;
         if (!LocalValues{present, side}.are_all_local())
           {
-            leave_to_law();
+            finish_by_law();
             return false;
           }
       }
@@ -380,16 +380,17 @@ namespace ThermoContact
         const double       change =
           change_of_velocity(s, 1., zero, next.time - present.time);
         // contact begins with the first node and ends with the last
-        if (begins || finding.is_of_all_nodes)
+        if (begins || finding.changes_all_nodes)
           add_event({present.time + zero * (next.time - present.time),
                      begins ? ContactEvent::begin : ContactEvent::end,
                      side * (local.velocity(finding.node) + change),
                      side},
                     events);
-        mode_ = !finding.is_of_all_nodes || (begins && !local.are_all_local()) ?
-                  ContactMode::unilateral :
-                begins ? ContactMode::closed :
-                         ContactMode::open;
+        mode_ =
+          !finding.changes_all_nodes || (begins && !local.are_all_local()) ?
+            ContactMode::unilateral :
+          begins ? ContactMode::closed :
+                   ContactMode::open;
       }
     present = next;
     largest.add({present, side});

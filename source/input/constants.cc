@@ -198,7 +198,7 @@ namespace ThermoContact
 
 
   bool
-  is_of_numbers(const DeclaredEntry &entry)
+  is_numeric(const DeclaredEntry &entry)
   {
     return entry.pattern.find("Double") != std::string::npos ||
            entry.pattern.find("Integer") != std::string::npos;
@@ -212,7 +212,7 @@ namespace ThermoContact
   {
     for (Assignment &assignment : assignments)
       if (const DeclaredEntry *const entry = find_entry(assignment.path);
-          entry != nullptr && is_of_numbers(*entry) &&
+          entry != nullptr && is_numeric(*entry) &&
           !parse_number(assignment.value) &&
           assignment.value.find_first_not_of(" \t") != std::string::npos)
         try

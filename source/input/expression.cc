@@ -158,9 +158,9 @@ namespace ThermoContact
 
 
 
-    /** In which the numbers of an expression are, if that is known. */
+    /** The units of the numbers in an expression, if they are known. */
     std::string
-    words_of_units() const
+    units_text() const
     {
       std::string words;
       for (unsigned int i = 0; i < names.units.size(); ++i)
@@ -181,7 +181,7 @@ namespace ThermoContact
                      text,
                      "cannot be read: " + fault,
                      "an expression in " + join_words(known_names()) +
-                       words_of_units(),
+                       units_text(),
                      position == nowhere ? next : position);
     }
 
@@ -231,7 +231,7 @@ namespace ThermoContact
 
 
     static bool
-    is_of_name(const char letter)
+    is_name_character(const char letter)
     {
       return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
              letter == '_';
@@ -244,7 +244,7 @@ namespace ThermoContact
     next_word() const
     {
       std::size_t stop = next;
-      while (is_of_name(at(stop)))
+      while (is_name_character(at(stop)))
         ++stop;
       while (stop < end && (stop == next || (text[stop] & 0xC0) == 0x80))
         ++stop; // all bytes of a letter
@@ -282,16 +282,16 @@ namespace ThermoContact
       Part part{Part::operation_on_parts, 0., &operation};
       part.n_operands = operands.size();
       std::array<double, max_operands> values{};
-      bool                             is_of_numbers = true;
+      bool                             all_numbers = true;
       for (unsigned int i = 0; i < operands.size(); ++i)
         {
           const Part &operand = parts[operands[i]];
           part.operands[i]    = operands[i];
           part.n_levels       = std::max(part.n_levels, operand.n_levels + 1);
           values[i]           = operand.value;
-          is_of_numbers &= operand.kind == Part::number;
+          all_numbers &= operand.kind == Part::number;
         }
-      return is_of_numbers ? number(operation(values.data())) : add(part);
+      return all_numbers ? number(operation(values.data())) : add(part);
     }
 
 
@@ -383,7 +383,7 @@ namespace ThermoContact
         }
       if (std::isdigit(static_cast<unsigned char>(first)) != 0 || first == '.')
         return literal();
-      if (!is_of_name(first))
+      if (!is_name_character(first))
         {
           refuse_assignment();
           cannot_read(first == '\0' ?
@@ -392,7 +392,7 @@ namespace ThermoContact
                           (first == '*' ? "; powers are written x^2" : ""));
         }
       const std::size_t begin = next;
-      while (is_of_name(at(next)))
+      while (is_name_character(at(next)))
         ++next;
       const std::string name = text.substr(begin, next - begin);
       return takes("(") ? call(name, begin) : value_of_name(name, begin);
@@ -432,7 +432,7 @@ namespace ThermoContact
       if (read.ec != std::errc())
         cannot_read("'.' is no number");
       next += read.ptr - begin;
-      if (is_of_name(at(next)) || at(next) == '.')
+      if (is_name_character(at(next)) || at(next) == '.')
         cannot_read("an operator is missing before " + next_word());
       return number(value);
     }

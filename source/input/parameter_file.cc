@@ -35,7 +35,7 @@ namespace ThermoContact
   {
     /** Whether the assignment is to an entry of the program. */
     bool
-    is_of_program(const Assignment &assignment)
+    is_program_entry(const Assignment &assignment)
     {
       return find_entry(assignment.path) != nullptr &&
              !is_constant_path(assignment.path);
@@ -54,7 +54,7 @@ namespace ThermoContact
     {
       if (assignment.is_section())
         return check_section(assignment.place, section_of(assignment.path));
-      if (!is_constant_path(assignment.path) && !is_of_program(assignment))
+      if (!is_constant_path(assignment.path) && !is_program_entry(assignment))
         refuse_entry(assignment);
       // The command line may override what a file sets, and itself; so may a
       // file what it includes.
@@ -111,7 +111,7 @@ namespace ThermoContact
       const std::string   &value   = assignment.value;
       const std::string    allowed = describe_allowed(entry);
       std::string          fault   = assignment.path + " = " + quote(value);
-      if (is_of_numbers(entry))
+      if (is_numeric(entry))
         {
           if (has_table(value))
             fault += ": a table is a function, and this entry is one number; "
@@ -233,7 +233,7 @@ namespace ThermoContact
     const auto assign_if = [&](const auto &is_one, const auto &value) {
       for (unsigned int i = 0; i < assignments.size(); ++i)
         if (const Assignment &assignment = assignments[i];
-            is_of_program(assignment) && is_one(assignment.path) &&
+            is_program_entry(assignment) && is_one(assignment.path) &&
             last_assignment(assignments, assignment.path) == &assignment)
           collect(
             [&]() { assign(given[i], value(assignment), constants, prm); });
@@ -241,7 +241,7 @@ namespace ThermoContact
     const auto is_dimension = [](const std::string &path) {
       return path == "Dimension";
     };
-    const auto is_of_rod = [](const std::string &path) {
+    const auto is_rod_entry = [](const std::string &path) {
       return begins_with(path, "Rod/");
     };
     assign_if(is_dimension, without_unit);
@@ -261,18 +261,18 @@ namespace ThermoContact
         throw_faults(faults);
         return {};
       }
-    assign_if(is_of_rod, without_unit);
+    assign_if(is_rod_entry, without_unit);
     for (unsigned int i = 0; i < assignments.size(); ++i)
       if (const DeclaredEntry *const entry = find_entry(assignments[i].path);
-          entry != nullptr && !is_of_rod(entry->path) &&
-          is_of_numbers(*entry) && entry->variables(1).empty() &&
+          entry != nullptr && !is_rod_entry(entry->path) &&
+          is_numeric(*entry) && entry->variables(1).empty() &&
           has_table(assignments[i].value))
         collect([&]() { refuse_value(given[i], constants); });
     throw_faults(faults);
     std::optional<SiScene> scene;
     collect([&]() { scene.emplace(assignments, constants); });
     throw_faults(faults);
-    assign_if([&](const std::string &path) { return !is_of_rod(path); },
+    assign_if([&](const std::string &path) { return !is_rod_entry(path); },
               [&](const Assignment &assignment) {
                 return scene->value(assignment);
               });

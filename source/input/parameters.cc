@@ -445,11 +445,12 @@ namespace ThermoContact
              default_scheme().name + "), " +
              in_words(schemes(), describe_scheme) + ".");
     entry("Start", start, Selection("automatic|paper|consistent"))
-      .means("First step: paper (the end of the step is u_0 + dt u_1, then the "
-             "heat equation alone), consistent (a step like all others), "
-             "automatic (paper for " +
-             find_scheme([](const Scheme &s) { return s.is_of_paper; })->name +
-             ").");
+      .means(
+        "First step: paper (the end of the step is u_0 + dt u_1, then the "
+        "heat equation alone), consistent (a step like all others), "
+        "automatic (paper for " +
+        find_scheme([](const Scheme &s) { return s.is_backward_euler; })->name +
+        ").");
     entry("End time", end_time, duration).means("End time T >= 0.", "time");
     entry("Step size", step_size, NumberOrText::word("automatic"))
       .means("Time step dt > 0, the same for all steps but those that end at "

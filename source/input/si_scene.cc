@@ -356,8 +356,8 @@ namespace ThermoContact
     for (const char *const word : {"", "none", "automatic", "infinity"})
       if (text == word)
         return text;
-    const bool   is_of_law = kind == "stiffness" || kind == "compliance";
-    const double exponent  = is_of_law ? law_exponent() : 1.;
+    const bool   is_contact_law = kind == "stiffness" || kind == "compliance";
+    const double exponent       = is_contact_law ? law_exponent() : 1.;
     if (const auto split = split_unit(text);
         exponent != 1. && split && !split->unit.empty())
       refuse(assignment,
@@ -533,9 +533,9 @@ namespace ThermoContact
 
   namespace
   {
-    /** Whether only files in SI units have it. */
+    /** Whether only files in SI units have the entry. */
     bool
-    is_of_si_alone(const DeclaredEntry &entry)
+    exists_only_in_si(const DeclaredEntry &entry)
     {
       return section_of(entry.path) == "Rod" ||
              entry.path == "Contact/Stiffness";
@@ -559,7 +559,7 @@ namespace ThermoContact
             std::vector<DeclaredEntry>    &entries)
   {
     if (!is_in_si(assignments))
-      return remove_if(is_of_si_alone, entries);
+      return remove_if(exists_only_in_si, entries);
     for (DeclaredEntry &entry : entries)
       if (const Assignment *const given =
             last_assignment(assignments, entry.path))
@@ -585,7 +585,7 @@ namespace ThermoContact
         entry.remark = given->value;
     remove_if(
       [](const DeclaredEntry &entry) {
-        return is_of_si_alone(entry) || entry.value == entry.default_value;
+        return exists_only_in_si(entry) || entry.value == entry.default_value;
       },
       entries);
   }

@@ -23,11 +23,11 @@ namespace ThermoContact
           scheme.order              = tableau.order;
           scheme.n_stages           = tableau.n_stages();
           scheme.has_error_estimate = tableau.has_error_estimate();
-          scheme.is_of_paper        = tableau.n_stages() == 1;
-          scheme.can_create_energy  = !scheme.is_of_paper;
+          scheme.is_backward_euler  = tableau.n_stages() == 1;
+          scheme.can_create_energy  = !scheme.is_backward_euler;
           scheme.step_exponent      = 1. / tableau.order;
           scheme.text =
-            scheme.is_of_paper ?
+            scheme.is_backward_euler ?
               "the paper's" :
               "L-stable, " + std::to_string(tableau.n_stages()) +
                 " solves per step" +

@@ -119,7 +119,7 @@ namespace ThermoContact
 
 
   bool
-  RodMatrices::is_of_differences(const Run &run, const Matrix matrix) const
+  RodMatrices::takes_differences(const Run &run, const Matrix matrix) const
   {
     if (matrix == conduction)
       return run.conducts_differences;
@@ -138,7 +138,7 @@ namespace ThermoContact
       const double *entries;
       const double *vector;
       double        factor;
-      bool          is_of_differences;
+      bool          takes_differences;
       const double *of_constant; ///< of a matrix of differences, or null
     };
 
@@ -249,8 +249,8 @@ namespace ThermoContact
           for (const Factors &term : terms)
             {
               const double x_left = term.vector[left];
-              const double zero   = term.is_of_differences ? x_left : 0.;
-              if (!term.is_of_differences)
+              const double zero   = term.takes_differences ? x_left : 0.;
+              if (!term.takes_differences)
                 add_column(term.entries, term.factor * x_left);
               else if (term.of_constant != nullptr)
                 add_column(term.of_constant, term.factor * x_left);
@@ -281,7 +281,7 @@ namespace ThermoContact
             of_run[k] = {entries(run, terms[k].matrix),
                          terms[k].vector,
                          terms[k].factor,
-                         is_of_differences(run, terms[k].matrix),
+                         takes_differences(run, terms[k].matrix),
                          of_constant(run, terms[k].matrix)};
           if constexpr (degree.value != 1)
             add_cells_of_rod<degree.value>(
@@ -358,7 +358,7 @@ namespace ThermoContact
     form_of_cells(const RodLayout        &layout,
                   const RodMatrices::Run &run,
                   const double           *a,
-                  const bool              is_of_differences,
+                  const bool              takes_differences,
                   const double           *of_constant,
                   const Value            &x)
     {
@@ -369,8 +369,8 @@ namespace ThermoContact
         {
           const unsigned int first = cell * p + 1;
           const double       left  = x(layout.left_vertex(cell));
-          const double       zero  = is_of_differences ? left : 0.;
-          for (unsigned int j = is_of_differences; j < n; ++j)
+          const double       zero  = takes_differences ? left : 0.;
+          for (unsigned int j = takes_differences; j < n; ++j)
             {
               const double *const column  = a + j * n;
               double              product = column[0] * (left - zero);
@@ -378,7 +378,7 @@ namespace ThermoContact
                 product += column[i + 1] * (x(first + i) - zero);
               sum += product * (j == 0 ? left : x(first + j - 1) - zero);
             }
-          if (is_of_differences && of_constant != nullptr)
+          if (takes_differences && of_constant != nullptr)
             {
               // (d + c) A (d + c) with a constant c
               double of_left = of_constant[0] * left;
@@ -411,7 +411,7 @@ namespace ThermoContact
                 form_of_cells<degree.value>(layout,
                                             run,
                                             a,
-                                            matrices.is_of_differences(run,
+                                            matrices.takes_differences(run,
                                                                        matrix),
                                             matrices.of_constant(run, matrix),
                                             x);

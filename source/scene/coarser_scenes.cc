@@ -100,7 +100,7 @@ namespace ThermoContact
 
 
     std::string
-    words_of_mesh(const Parameters &scene, const Parameters &original)
+    mesh_description(const Parameters &scene, const Parameters &original)
     {
       const MeshParameters &mesh = scene.mesh;
       std::string           words;
@@ -181,7 +181,7 @@ namespace ThermoContact
             --mesh.degree;
           }
         scene.has_coarser_steps = has_joined_steps_and_cells(parameters);
-        scene.words             = words_of_mesh(scene.parameters, parameters);
+        scene.words = mesh_description(scene.parameters, parameters);
         scenes.push_back(scene);
       }
     return scenes;

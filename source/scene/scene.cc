@@ -212,7 +212,8 @@ namespace ThermoContact
       return fields.has_displacement && parameters.model.inertia > 0. &&
              heat.exchange->is_constant() && !has_motion &&
              (parameters.time.start == "paper" ||
-              (parameters.time.start == "automatic" && scheme.is_of_paper &&
+              (parameters.time.start == "automatic" &&
+               scheme.is_backward_euler &&
                parameters.contact.massless_nodes != "on"));
     }
 

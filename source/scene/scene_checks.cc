@@ -211,7 +211,7 @@ namespace ThermoContact
         return;
       const Refusal     start{"Time/Start", "paper", "consistent or automatic"};
       const std::string remedy = "Time/Start = automatic: ";
-      start.since(!scene.scheme.is_of_paper,
+      start.since(!scene.scheme.is_backward_euler,
                   name_of_scheme(scene),
                   "the prescribed first step of the paper is of order 1");
       start.since(!scene.material.has_inertia(),
@@ -334,12 +334,12 @@ namespace ThermoContact
                  "a motion that begins like t or t^2");
       };
       const auto check_start = [&](const Refusal     &refusal,
-                                   const std::string &what_rests) {
+                                   const std::string &reason) {
         refusal.since(time.start == "paper",
                       "Time/Start = paper",
                       "Time/Start = automatic: the paper prescribes the first "
                       "step " +
-                        what_rests);
+                        reason);
       };
       if (scene.sources.has_moving_obstacle)
         {
@@ -413,11 +413,11 @@ namespace ThermoContact
                            parameters.solver.step_solver,
                            "monolithic"};
       const std::string iteration = "the iteration of the paper ";
-      solver.since(!scene.scheme.is_of_paper,
+      solver.since(!scene.scheme.is_backward_euler,
                    name_of_scheme(scene),
                    iteration + "belongs to Time/Scheme = " +
                      find_scheme([](const Scheme &s) {
-                       return s.is_of_paper;
+                       return s.is_backward_euler;
                      })->name);
       solver.since(scene.contact.law->is_active() &&
                      !scene.contact.law->compliance(),
@@ -630,7 +630,7 @@ namespace ThermoContact
       {
         const std::optional<double> value = scales.*scale.value;
         const std::string           entry = std::string("Scales/") + scale.name;
-        if (scale.is_needed && (has_temperature || !scale.is_of_heat) && !value)
+        if (scale.is_needed && (has_temperature || !scale.is_thermal) && !value)
           refuse(entry,
                  "none",
                  "a number, since the scene has other scales",

@@ -87,10 +87,10 @@ namespace ThermoContact
         ++n_retakes < max_retakes)
       return finding.time;
     if (finding.kind == EventLocator::Finding::at_start &&
-        finding.is_of_all_nodes)
+        finding.changes_all_nodes)
       switch_state(finding, accepted, energy);
     else
-      locator.leave_to_law();
+      locator.finish_by_law();
     return {};
   }
 
@@ -106,7 +106,7 @@ namespace ThermoContact
     if (impacted && body.scene.contact.has_mass())
       {
         if (!is_closed)
-          return locator.leave_to_law();
+          return locator.finish_by_law();
         // Loads draw away at once what the obstacle has stopped. Stages that
         // know of no impact would throw it back instead.
         get_contact_values(body, impacted->state, next);
@@ -148,7 +148,7 @@ namespace ThermoContact
     old_progress = locator.progress();
     n_old_events = events.size();
     if (result.is_prescribed) // it supposes nothing
-      locator.leave_to_law();
+      locator.finish_by_law();
     const ContactMode mode = locator.mode();
     if (!result.closed_nodes.empty() && body.law().is_rigid())
       reset.settle_velocities(result.closed_nodes, result.state);
@@ -248,7 +248,7 @@ namespace ThermoContact
                             std::vector<ContactEvent> &events)
   {
     get_contact_values(body, state, next);
-    locator.leave_to_law();
+    locator.finish_by_law();
     const std::size_t n_events = events.size();
     locator.accept(next, {}, events);
     if (body.scene.material.is_static()) // moved at once

@@ -95,7 +95,7 @@ namespace ThermoContact
 
 
     std::string
-    words_of_length(const Scene &scene, const double length)
+    length_text(const Scene &scene, const double length)
     {
       return QuantityUnits(scene.parameters).text_for_entry("length", length);
     }
@@ -108,10 +108,10 @@ namespace ThermoContact
     {
       if (is_behind)
         return "Contact/Rear gap = " +
-               words_of_length(scene, scene.contact.rear_gap);
+               length_text(scene, scene.contact.rear_gap);
       return "Contact/Gap" +
              (scene.contact.has_uniform_gap() ?
-                " = " + words_of_length(scene, scene.contact.gap) :
+                " = " + length_text(scene, scene.contact.gap) :
               QuantityUnits(scene.parameters).is_si() ?
                 "" :
                 " = " + scene.parameters.contact.gap_expression);
@@ -175,7 +175,7 @@ namespace ThermoContact
       if (!body.scene.contact.stops_overlap(smallest))
         return;
       throw InputError(entry_of_gap(body.scene, true) + "\n  allowed: above " +
-                       words_of_length(body.scene, -smallest) +
+                       length_text(body.scene, -smallest) +
                        ", minus the smallest Contact/Gap\n  remedy:  a larger "
                        "one: the stops overlap");
     }

@@ -696,7 +696,7 @@ namespace ThermoContact
         std::vector<unsigned int> closing; // the others know it by pressure
         if (mode == ContactMode::open)
           for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
-            if (finding.is_of_all_nodes || i == finding.node)
+            if (finding.changes_all_nodes || i == finding.node)
               closing.push_back(i);
         work =
           work_of(state, [&]() { set_static_equilibrium(state, closing); });

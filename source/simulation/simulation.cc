@@ -26,13 +26,12 @@ namespace ThermoContact
 {
   namespace
   {
-    /** What a message of a failure says about the loads of its step. */
+    /** The line about the loads of a step in the message of its failure. */
     template <int dim>
     std::string
-    words_of_loads(const Body<dim> &body, const double from, const double to)
+    load_description(const Body<dim> &body, const double from, const double to)
     {
-      const std::string loads =
-        loads_that_change(body.scene, body.data, from, to);
+      const std::string loads = changing_loads(body.scene, body.data, from, to);
       return loads.empty() ? "" : "\n  load:    " + loads + " changes then";
     }
   } // namespace
@@ -146,7 +145,7 @@ namespace ThermoContact
     if (!is_restored)
       notify();
     else if (!controller.is_finished(state_.time))
-      make_up_for_break();
+      compensate_break();
     while (step())
       notify();
   }
@@ -464,7 +463,7 @@ namespace ThermoContact
     take_warnings();
     if (!result.failure.empty())
       throw ComputationError(result.failure +
-                             words_of_loads(body_, state_.time, state_.time));
+                             load_description(body_, state_.time, state_.time));
     state_.swap(result.state);
   }
 
@@ -538,7 +537,7 @@ namespace ThermoContact
            units.text("time", time_step.end),
            ": ",
            reason,
-           words_of_loads(body_, state_.time, time_step.end)));
+           load_description(body_, state_.time, time_step.end)));
   }
 
 
@@ -649,7 +648,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Simulation<dim>::make_up_for_break()
+  Simulation<dim>::compensate_break()
   {
     if (passed_break == state_.time ||
         controller.followed_loads().break_at(state_.time) == nullptr)

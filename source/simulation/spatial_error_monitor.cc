@@ -313,9 +313,9 @@ namespace ThermoContact
       mesh.cells * std::pow(excess, is_smooth ? 1. / mesh.degree : 1.));
     const std::string more_cells =
       "Mesh/Cells = " + significant(cells, 12) + " or more";
-    const bool is_of_degree_1 =
+    const bool is_degree_one =
       mesh.degree == 1 && (scene.has_lumped_mass || scene.has_midpoint_mass);
-    return degree > largest_degree || is_of_degree_1 ?
+    return degree > largest_degree || is_degree_one ?
              more_cells :
              "Mesh/Degree = " + significant(degree, 12) + ", or " + more_cells;
   }

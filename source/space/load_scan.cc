@@ -253,10 +253,10 @@ namespace ThermoContact
 
   template <int dim>
   std::string
-  loads_that_change(const Scene            &scene,
-                    const ProblemData<dim> &data,
-                    const double            from,
-                    const double            to)
+  changing_loads(const Scene            &scene,
+                 const ProblemData<dim> &data,
+                 const double            from,
+                 const double            to)
   {
     // what jumps at an end of the step does so within some rounding
     const double end_time = scene.parameters.time.end_time;
@@ -327,14 +327,14 @@ namespace ThermoContact
 
 
 
-#define INSTANTIATE(dim)                                           \
-  template LoadHistory load_history(const Scene &,                 \
-                                    const ProblemData<dim> &,      \
-                                    std::vector<std::string> &);   \
-  template std::string loads_that_change(const Scene &,            \
-                                         const ProblemData<dim> &, \
-                                         const double,             \
-                                         const double)
+#define INSTANTIATE(dim)                                         \
+  template LoadHistory load_history(const Scene &,               \
+                                    const ProblemData<dim> &,    \
+                                    std::vector<std::string> &); \
+  template std::string changing_loads(const Scene &,             \
+                                      const ProblemData<dim> &,  \
+                                      const double,              \
+                                      const double)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

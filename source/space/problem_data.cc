@@ -104,7 +104,7 @@ namespace ThermoContact
 
     template <int dim>
     std::vector<ExpressionFunction<dim> *>
-    those_that_are(
+    nonzero_sources(
       const std::vector<const typename ProblemData<dim>::Data *> &sources)
     {
       std::vector<ExpressionFunction<dim> *> all;
@@ -147,13 +147,13 @@ namespace ThermoContact
                                  "Boundary/left/Heat flux",
                                  scene.parameters.boundary.left.heat_flux))
     , obstacle_warming(warming<dim>(scene))
-    , sources(those_that_are<dim>({&heat_source,
-                                   &body_force,
-                                   &end_traction,
-                                   &end_heat_flux,
-                                   &left_traction,
-                                   &left_heat_flux,
-                                   &obstacle_warming}))
+    , sources(nonzero_sources<dim>({&heat_source,
+                                    &body_force,
+                                    &end_traction,
+                                    &end_heat_flux,
+                                    &left_traction,
+                                    &left_heat_flux,
+                                    &obstacle_warming}))
   {}
 
 

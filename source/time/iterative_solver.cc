@@ -38,8 +38,8 @@ namespace ThermoContact
   IterativeSolver<dim>::retained() const
   {
     RetainedFactorizations retained;
-    retained.counters      = counters_;
-    retained.told_rounding = stage.told_rounding();
+    retained.counters          = counters_;
+    retained.reported_rounding = stage.reported_rounding();
     for (const auto &hierarchy : stage.preconditioners().all())
       {
         retained.taus.push_back(hierarchy.tau);
@@ -58,7 +58,7 @@ namespace ThermoContact
     stage.preconditioners().clear();
     for (unsigned int i = retained.taus.size(); i-- > 0;)
       stage.restore(retained.taus[i], retained.contact_springs[i]);
-    stage.has_told(retained.told_rounding);
+    stage.set_reported_rounding(retained.reported_rounding);
     counters_ = retained.counters;
   }
 

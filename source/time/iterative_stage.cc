@@ -154,9 +154,9 @@ namespace ThermoContact
     const auto result = system->solve(
       solution, rhs, measure, tolerance, kind == Measure::of_start);
     if (result.is_rounding && kind == Measure::of_terms &&
-        result.residual > 2. * told_rounding_)
+        result.residual > 2. * reported_rounding_)
       {
-        told_rounding_ = result.residual;
+        reported_rounding_ = result.residual;
         warnings.push_back(
           text("Solver/Linear tolerance = ",
                body.scene.linear_solver.tolerance,

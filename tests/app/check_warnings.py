@@ -192,7 +192,7 @@ def said(text):
     return re.findall(r"^  warning:  (.*)$", text, re.MULTILINE)
 
 
-def warnings_of(overrides, directory, is_of_mesh=False):
+def warnings_of(overrides, directory, about_mesh=False):
     """Those of the mesh, or all others but those of fronts; screen, log.txt and summary.json
     must have the same."""
     status, screen, message = run("--output", directory, SCENE,
@@ -203,7 +203,7 @@ def warnings_of(overrides, directory, is_of_mesh=False):
     log = said((directory / "log.txt").read_text())
     if not said(screen) == log == summary:
         return [f"screen {said(screen)}, log {log}, summary {summary}"]
-    return [line for line in summary if line.startswith(OF_MESH) == is_of_mesh and
+    return [line for line in summary if line.startswith(OF_MESH) == about_mesh and
             line not in (FRONTS_OF_ROD, FRONTS_OF_BODY, FRONTS_OF_MASS, FRONTS_OF_MESH)]
 
 

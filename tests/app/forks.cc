@@ -236,7 +236,7 @@ main(int argc, char **argv)
       execvp(argv[1], argv + 1);
       _exit(127);
     }
-  const auto to_unset       = ThermoContact::tell_mpi_of_single_process();
+  const auto to_unset       = ThermoContact::declare_single_process();
   int        n_arguments    = 1;
   char      *program_name[] = {argv[0], nullptr};
   char     **arguments      = program_name;

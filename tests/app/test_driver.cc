@@ -82,7 +82,7 @@ namespace
    * is that of doc/parameters.md, is in it the first time.
    */
   std::string
-  words_of_program(std::set<std::string> &meanings)
+  program_message(std::set<std::string> &meanings)
   {
     // the program's own words: MPI may complain of the machine first, and
     // mpirun of the exit status afterwards, below a line of dashes
@@ -191,7 +191,7 @@ main(int, char **argv)
       if (!is_refused)
         std::cout << "$ thermocontact " << argument << '\n';
       std::cout << replace_all(
-        replace_all(words_of_program(meanings), test_dir, ""), prm_dir, "prm");
+        replace_all(program_message(meanings), test_dir, ""), prm_dir, "prm");
       if (is_refused)
         continue;
       std::cout << "exit status " << status;

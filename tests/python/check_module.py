@@ -108,8 +108,8 @@ def check_study(folder):
     check("nothing to resume", error and "checkpoint" in str(error), error)
 
 
-def told_by(function):
-    """What a function returns, and its RunWarnings."""
+def result_and_warnings(function):
+    """The result of a function, and its RunWarnings."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         result = function()
@@ -121,10 +121,10 @@ def check_warnings(folder):
     """A break point behind the end is warned of, one before it is not."""
     text = "Time/Break points = {} is beyond Time/End time = 1 and has no effect"
     scene = {**SCENE, "Time/End time": 1, "Initial values/Temperature": "theta_A", "Contact/Gap": 1}
-    run, told = told_by(lambda: thermocontact.run({**scene, "Time/Break points": 3}))
+    run, told = result_and_warnings(lambda: thermocontact.run({**scene, "Time/Break points": 3}))
     check("a warning", told == run.warnings == [text.format(3)], told)
     scene["Study/Vary"] = "Time/Break points = 0.5 | 3 | 4 | 3"
-    study, told = told_by(lambda: thermocontact.run(scene, output=folder / "warned"))
+    study, told = result_and_warnings(lambda: thermocontact.run(scene, output=folder / "warned"))
     check("warnings of a study", told == [text.format(3), text.format(4)] and
           study.warnings == {text.format(3): [1, 3], text.format(4): [2]} and
           list(study.table["warnings"]) == [0, 1, 1, 1], study.warnings)

@@ -271,9 +271,9 @@ namespace ThermoContact
         at_end    ///< contact changes at its end
       };
 
-      Kind   kind            = nothing;
-      double time            = 0.;
-      bool   is_of_all_nodes = true; ///< all nodes change together
+      Kind   kind              = nothing;
+      double time              = 0.;
+      bool   changes_all_nodes = true; ///< all nodes change together
 
       /** The node that changes first. */
       unsigned int node = 0;
@@ -326,7 +326,7 @@ namespace ThermoContact
      * are not to be had.
      */
     void
-    leave_to_law();
+    finish_by_law();
 
     /**
      * The step to @p next is accepted; appends the event that it begins with

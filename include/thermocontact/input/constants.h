@@ -50,9 +50,9 @@ namespace ThermoContact
   as_numbers(const Assignment                    &assignment,
              const std::map<std::string, double> &constants);
 
-  /** True for an entry that may be a number. */
+  /** Whether an entry may be a number. */
   bool
-  is_of_numbers(const DeclaredEntry &entry);
+  is_numeric(const DeclaredEntry &entry);
 
   /** The same assignments, with numbers where they are expressions in constants
    * and the entry may be a number. */

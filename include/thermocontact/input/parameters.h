@@ -338,7 +338,7 @@ namespace ThermoContact
     {
       const char           *name;
       std::optional<double> ScalesParameters::*value;
-      bool                                     is_of_heat, is_needed;
+      bool                                     is_thermal, is_needed;
       const char                              *text;
     };
 

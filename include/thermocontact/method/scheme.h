@@ -79,10 +79,10 @@ namespace ThermoContact
     std::string cannot_hold_contact;
 
     /**
-     * It is the one of the paper: with its prescribed first step and its fixed
-     * point iteration.
+     * The scheme of the paper: it may have the paper's prescribed first step
+     * and fixed point iteration.
      */
-    bool is_of_paper = false;
+    bool is_backward_euler = false;
 
     /** Steps under a tolerance $\epsilon$ are about as many as $\epsilon^{-e}$.
      */

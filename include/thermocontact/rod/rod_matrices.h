@@ -161,14 +161,14 @@ namespace ThermoContact
     }
 
     /**
-     * True if the product with a constant is zero in exact arithmetic, as that
-     * of a stiffness: products of cells of higher degree are then those with
-     * the differences to the left vertex, and entries whose sums are rounding
-     * leave no force on a rod that does not strain. Of conduction it is what
-     * remains without the heat exchange, with the obstacle or along the rod.
+     * True if the product of the matrix with a constant is zero in exact
+     * arithmetic, as for a stiffness. Cells of higher degree then multiply the
+     * differences to the left vertex, so that a rod without strain has no
+     * force by rounding. The matrix of conduction is one of them where no heat
+     * is exchanged, with the obstacle or along the rod.
      */
     bool
-    is_of_differences(const Run &run, const Matrix matrix) const;
+    takes_differences(const Run &run, const Matrix matrix) const;
 
     /**
      * The product of a matrix of differences with the constant 1 in a cell of

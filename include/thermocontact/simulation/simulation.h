@@ -353,7 +353,7 @@ namespace ThermoContact
      * @throw ComputationError that says where
      */
     void
-    make_up_for_break();
+    compensate_break();
 
     /** What the solver of stages has to say. */
     void

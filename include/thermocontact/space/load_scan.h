@@ -28,16 +28,16 @@ namespace ThermoContact
 
 
   /**
-   * The entries of loads that change in a step by more than half of what they
-   * do in the whole run, separated by commas: for the message of a step that
-   * fails.
+   * The entries of loads whose change in a step is more than half of their
+   * change in the whole run, separated by commas: for the message of a step
+   * that fails.
    */
   template <int dim>
   std::string
-  loads_that_change(const Scene            &scene,
-                    const ProblemData<dim> &data,
-                    const double            from,
-                    const double            to);
+  changing_loads(const Scene            &scene,
+                 const ProblemData<dim> &data,
+                 const double            from,
+                 const double            to);
 } // namespace ThermoContact
 
 #endif

@@ -144,16 +144,16 @@ namespace ThermoContact
 
     /** The largest residual that was warned of. */
     double
-    told_rounding() const
+    reported_rounding() const
     {
-      return told_rounding_;
+      return reported_rounding_;
     }
 
-    /** Warns of twice as much only. */
+    /** The next warning is of more than twice as much. */
     void
-    has_told(const double rounding)
+    set_reported_rounding(const double rounding)
     {
-      told_rounding_ = rounding;
+      reported_rounding_ = rounding;
     }
 
   private:
@@ -171,7 +171,7 @@ namespace ThermoContact
 
     typename LinearSystem<dim>::Weights measure; ///< of the residuals
 
-    double told_rounding_ = 0.;
+    double reported_rounding_ = 0.;
 
     /** Local rows of contact nodes without mass; empty: none, or all are. */
     std::vector<bool> massless_rows;

@@ -111,14 +111,14 @@ namespace ThermoContact
     bool has_refused_blocks = false;
 
     /** The largest residual by rounding that was warned of. */
-    double told_rounding = 0.;
+    double reported_rounding = 0.;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &counters &taus &has_response &contact_springs &has_refused_blocks
-        &told_rounding;
+        &reported_rounding;
     }
   };
 

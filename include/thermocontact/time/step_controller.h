@@ -159,7 +159,7 @@ namespace ThermoContact
     is_accurate(const TimeStep &step, const double error) const
     {
       return !has_error_control || error <= largest_error() ||
-             (error <= 1. && is_as_short_as_time_allows(step));
+             (error <= 1. && is_shortest_step(step));
     }
 
     /**
@@ -238,7 +238,7 @@ namespace ThermoContact
 
     /** No shorter one is worth an attempt. */
     static bool
-    is_as_short_as_time_allows(const TimeStep &step)
+    is_shortest_step(const TimeStep &step)
     {
       return step.size < Tolerances::same_time * step.end;
     }
