@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/space/system_matrix.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <vector>
 
@@ -27,33 +26,27 @@ namespace ThermoContact
               const IndexSet               &skipped,
               SparseMatrix                 &target)
     {
-      // deal.II's iterators set up arrays of the whole width at each row.
-      const Epetra_CrsMatrix              &source = block.trilinos_matrix();
       std::vector<types::global_dof_index> columns;
       std::vector<double>                  values;
-      for (int local_row = 0; local_row < source.NumMyRows(); ++local_row)
+      for (const types::global_dof_index row :
+           block.locally_owned_range_indices())
         {
-          const types::global_dof_index row = source.RowMap().GID64(local_row);
           if (skipped.is_element(row))
             continue;
-          int     n_entries   = 0;
-          double *row_values  = nullptr;
-          int    *row_columns = nullptr;
-          source.ExtractMyRowView(local_row,
-                                  n_entries,
-                                  row_values,
-                                  row_columns);
           columns.clear();
           values.clear();
           // On several ranks Trilinos adds zero entries of its own to the
           // pattern of a block, which the whole matrix does not have.
-          for (int i = 0; i < n_entries; ++i)
-            if (row_values[i] != 0.)
-              {
-                columns.push_back(source.ColMap().GID64(row_columns[i]) +
-                                  column_offset);
-                values.push_back(factor * row_values[i]);
-              }
+          read_row(block,
+                   row,
+                   [&](const types::global_dof_index column,
+                       const double                  value) {
+                     if (value != 0.)
+                       {
+                         columns.push_back(column + column_offset);
+                         values.push_back(factor * value);
+                       }
+                   });
           target.add(row + row_offset,
                      columns.size(),
                      columns.data(),

@@ -8,6 +8,7 @@
 #include <deal.II/base/index_set.h>
 
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 /**
  * @file
@@ -34,6 +35,38 @@ namespace ThermoContact
 #else
     static_cast<void>(owned);
     return dealii::AffineConstraints<double>(relevant);
+#endif
+  }
+
+
+
+  /**
+   * Calls @p read with the column and the value of each entry in @p row of
+   * @p matrix, which this process owns.
+   */
+  template <typename Read>
+  void
+  read_row(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+           const dealii::types::global_dof_index         row,
+           const Read                                   &read)
+  {
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+    const auto end = matrix.end(row);
+    for (auto entry = matrix.begin(row); entry != end; ++entry)
+      read(entry->column(), entry->value());
+#else
+    // Iterators set up arrays of the whole width at each row.
+    const auto &entries     = matrix.trilinos_matrix();
+    int         n_entries   = 0;
+    double     *row_values  = nullptr;
+    int        *row_columns = nullptr;
+    entries.ExtractMyRowView(
+      entries.LRID(static_cast<dealii::TrilinosWrappers::types::int_type>(row)),
+      n_entries,
+      row_values,
+      row_columns);
+    for (int i = 0; i < n_entries; ++i)
+      read(entries.ColMap().GID64(row_columns[i]), row_values[i]);
 #endif
   }
 } // namespace ThermoContact
