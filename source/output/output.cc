@@ -182,7 +182,8 @@ namespace ThermoContact
       }
     if (of_period.are_reached(record.time)) // steps end there: none is missed
       poincare_file.add(record);
-    const auto &events = simulation.events();
+    const auto &events           = simulation.events();
+    const bool  is_first_contact = n_written_events == 0 && !events.empty();
     for (unsigned int &i = n_written_events; i < events.size(); ++i)
       events_file.add({events[i],
                        events[i].kind == ContactEvent::end && i > 0 ?
@@ -193,7 +194,8 @@ namespace ThermoContact
     if (space_time_output && is_due(of_space_time, record.time))
       space_time_output->write(simulation.state());
 
-    if (parameters.fields_interval > 0. && is_due(of_fields, record.time))
+    if (parameters.fields_interval > 0. &&
+        (is_due(of_fields, record.time) || is_first_contact))
       {
         field_timer.start();
         flush();

@@ -13,7 +13,7 @@ import numpy
 
 from falsify import Checks
 from polynomials import equidistant, lobatto
-from run_files import differences, due, nearly
+from run_files import differences, due, nearly, with_first_contact
 
 EXACT, SINGLE, ROUGH, LOSS = 1e-10, 2e-5, 0.1, 1e-3
 TIMES = ("set_up_seconds", "loop_seconds", "step_seconds", "factorization_seconds",
@@ -341,11 +341,12 @@ def check_rates(run):
        "contact.csv/displacement_end", "contact.csv/velocity_end")
 def check_probes(run):
     """The middle and the end of a rod are those of contact.csv, and of the snapshots, which
-    are at the multiples of their interval and have vectors of 3 components."""
+    are at the multiples of their interval and at the first contact and have vectors of 3
+    components."""
     c, q = run.contact, run.probes
     interval = run.settings.number("Output/Fields interval")
-    yield differences([time for time, _ in run.snapshots()],
-                      c["time"][due(c["time"], interval, c["time"][-1])], EXACT, 1.)
+    yield differences([time for time, _ in run.snapshots()], c["time"][with_first_contact(
+        due(c["time"], interval, c["time"][-1]), c["time"], run.events)], EXACT, 1.)
     for _, mesh in run.snapshots():
         for field, values in mesh.point_data.items():
             n = {"temperature": 1, "stress": 1 if scene_of(run).is_rod else 9}.get(field, 3)

@@ -177,6 +177,14 @@ def due(times, interval, end_time):
     return is_due | (numpy.asarray(times) >= end_time)
 
 
+def with_first_contact(is_due, times, events):
+    """The same, with the first of the times at or after the first event."""
+    is_shown = numpy.array(is_due)
+    if len(events):
+        is_shown[numpy.searchsorted(times, events["time"][0] - 1e-9 * times[-1])] = True
+    return is_shown
+
+
 def differences(found, expected, bound, scale=None):
     """Where numbers differ by more than bound times scale, the largest expected one."""
     found, expected = numpy.asarray(found, float), numpy.asarray(expected, float)

@@ -30,7 +30,8 @@ namespace ThermoContact
   /**
    * The files of one run that grow with time: contact.csv, events.csv,
    * steps.csv, probes.csv, poincare.csv, the snapshots and the space-time file.
-   * An observer of a Simulation. Rows and snapshots are written at step ends.
+   * An observer of a Simulation. Rows and snapshots are written at step ends, a
+   * snapshot also at the first contact.
    */
   template <int dim>
   class Output
@@ -50,8 +51,8 @@ namespace ThermoContact
     /**
      * Writes the rows and files that are due at the present state of @p simulation.
      *
-     * @throw ComputationError naming a file that cannot be written; what was
-     *   written before stays readable
+     * @throw ComputationError naming a file that cannot be written; earlier
+     *   files stay readable
      */
     void
     observe(const Simulation<dim> &simulation);
