@@ -110,8 +110,8 @@ namespace ThermoContact
      * hwloc explore the machine, display and buses included: a single process
      * has no use for any of it, and it is most of its time to start. Without a
      * daemon all processes of a user would make and remove the same directory,
-     * and fail if two start at once. What the user has set stays. To be called
-     * before MPI_Init.
+     * and fail if two start at once. Variables that the user has set stay. To
+     * be called before MPI_Init.
      *
      * @return variables of the environment to unset after it, since others than
      *   MPI read them, too

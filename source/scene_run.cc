@@ -185,7 +185,7 @@ namespace ThermoContact
           output.finish();
           if (scene.parameters.output.has_error_bars)
             {
-              // what there is if the repeats come to nothing
+              // a summary if the repeats come to nothing
               finish_times();
               write_end_summary("done");
               const StopWatch watch(times.repeats);
@@ -236,7 +236,7 @@ namespace ThermoContact
 
 
     /**
-     * Prints what is known before anything is set up.
+     * Prints the scene and its forecasts before anything is set up.
      *
      * @param is_set_up it will be
      */
@@ -267,7 +267,7 @@ namespace ThermoContact
         data.is_along_axis();
       if (dim > 1 && depends_on_x_alone)
         log.line("  rod       Dimension = 1 has the same solution: nothing "
-                 "depends on what is across");
+                 "depends on y or z");
       for (const std::string &doubt : implausible_numbers(request.assignments))
         log.line("  doubt     " + doubt);
       check_cost(forecast.cost,
@@ -307,9 +307,9 @@ namespace ThermoContact
   namespace
   {
     /**
-     * The words that started the ranks, with a blank behind them: what stands
+     * The words that started the ranks, with a blank behind them: the words
      * before the program on the command line of the parent process, if that is
-     * an mpirun, which knows what the machine needs, as the leave of root.
+     * an mpirun, with the options that the machine needs, as the leave of root.
      */
     std::string
     launcher(const std::string &program, const unsigned int n_ranks)

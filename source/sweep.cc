@@ -90,7 +90,7 @@ namespace ThermoContact
             mismatch = error.what();
           }
       throw_everywhere<InputError>(mismatch, communicator);
-      // what one run cannot use another may, and each chooses its own
+      // an entry that one run cannot use another may, and each chooses its own
       write_used_parameters(
         directory, {}, request.prm, request.assignments, {}, communicator);
       throw_everywhere<ComputationError>(is_first ? table.sort() : "",

@@ -160,8 +160,8 @@ namespace ThermoContact
            significant(expected / 1e9, 2),
            " GB of memory here, where there are ",
            significant(available / 1e9, 2),
-           "\n  allowed: what takes less than twice as much as there is, since "
-           "the forecast may be off by as much\n  remedy:  fewer Mesh/Cells, a "
+           "\n  allowed: less than twice the memory that there is, since the "
+           "forecast may be off by as much\n  remedy:  fewer Mesh/Cells, a "
            "lower Mesh/Degree",
            is_iterative ? ", ranks on other machines" :
                           ", Solver/Linear solver = iterative"));

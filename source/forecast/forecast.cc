@@ -66,7 +66,7 @@ namespace ThermoContact
 
 
 
-    /** scaled_steps() of what loads ask for: half a step in each width. */
+    /** scaled_steps() for loads: half a step in each width. */
     double
     scaled_steps(const LoadHistory &loads)
     {

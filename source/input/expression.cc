@@ -89,7 +89,7 @@ namespace ThermoContact
 
 
 
-  /** Reads what stands between two positions of a text. */
+  /** Reads the part between two positions of a text. */
   class Expression::Reader
   {
   public:
@@ -239,7 +239,7 @@ namespace ThermoContact
 
 
 
-    /** What stands at the present position, in quotes. */
+    /** The word at the present position, in quotes. */
     std::string
     next_word() const
     {
@@ -526,9 +526,8 @@ namespace ThermoContact
       if (!unit.empty() && !convert_unit(1., unit, needed))
         throw InputError(path + " = " + quote(text) + ": " +
                          quote(table.file_name) + ": the header has the unit " +
-                         unit + "\n  allowed: a unit that measures what " +
-                         needed +
-                         " does\n  remedy:  another column, or its unit");
+                         unit + "\n  allowed: a unit of the kind of " + needed +
+                         "\n  remedy:  another column, or its unit");
     }
 
 
@@ -549,8 +548,8 @@ namespace ThermoContact
         }
       if (commas.empty() || commas.size() > 2)
         cannot_read(name +
-                      "() takes the name of a file, perhaps that of a "
-                      "column, and its argument: " +
+                      "() takes the name of a file, perhaps of a column "
+                      "in it, and its argument: " +
                       name + "(FILE, COLUMN, t)",
                     parenthesis + 1);
       const auto between = [&](const std::size_t a, const std::size_t b) {
@@ -743,7 +742,7 @@ namespace ThermoContact
   Expression::with_variables(const std::vector<std::string> &others) const
   {
     std::string result;
-    std::size_t end = 0; // of what is in the result
+    std::size_t end = 0; // of the part that is in the result
     for (const NamedVariable &one : named)
       {
         result += text_.substr(end, one.position - end) + others[one.index];

@@ -88,8 +88,7 @@ namespace ThermoContact
 
 
 
-      /** What is negligible: a part of the variation, but not of its rounding.
-       */
+      /** Negligible variation: a part of the whole, but not of its rounding. */
       double
       threshold() const
       {

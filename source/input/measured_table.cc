@@ -115,7 +115,7 @@ namespace ThermoContact
 
 
 
-    /** What separates columns, by the line of their names. */
+    /** The separator of columns, by the line of their names. */
     char
     separator_of(const std::string &header)
     {
@@ -216,7 +216,7 @@ namespace ThermoContact
   std::string
   folder_of_tables(const std::vector<Assignment> &assignments)
   {
-    // that of a file that is included begins with it
+    // the folder of an included file begins with the folder of the first
     std::optional<std::string> folder;
     for (const Assignment &assignment : assignments)
       if (const auto file = assignment.place.rfind(", line ");
@@ -244,8 +244,8 @@ namespace ThermoContact
         quote(file_name) + (line > 0 ? ", line " + std::to_string(line) : "") +
         ": " + fault +
         "\n  allowed: a table in CSV: a header with the names of "
-        "the columns, then numbers, of which those of the first "
-        "column grow" +
+        "the columns, then numbers, which grow in the first "
+        "column" +
         (remedy.empty() ? "" : "\n  remedy:  " + remedy));
     };
     std::string bytes = read_text(file_name, "a table in CSV");

@@ -42,7 +42,7 @@ namespace ThermoContact
       .means(text("Number of cells along the rod; automatic: ",
                   cells_by_default,
                   ", as many as resolve fronts of waves, or with Time/Scheme = "
-                  "box those that Time/Tolerance asks for. The paper: 250."));
+                  "box by Time/Tolerance. The paper: 250."));
     entry("Degree", degree, NumberOrText::word_or_count("automatic", 1, 30))
       .means(text("Polynomial degree p of both fields; automatic: ",
                   degree_by_default,

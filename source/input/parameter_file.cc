@@ -102,7 +102,7 @@ namespace ThermoContact
 
 
 
-    /** Says what is wrong with a value: as an expression, if it looks so. */
+    /** Throws the fault of a value: as an expression, if it looks so. */
     [[noreturn]] void
     refuse_value(const Assignment                    &assignment,
                  const std::map<std::string, double> &constants)
@@ -150,7 +150,7 @@ namespace ThermoContact
 
     /**
      * @param assignment as it was written
-     * @param value of the scene: that of the statement without its unit
+     * @param value of the scene: as in the statement, without its unit
      * @throw InputError as assign_entries()
      */
     void
@@ -220,7 +220,7 @@ namespace ThermoContact
     parameters.folder                              = folder_of_tables(given);
     const std::vector<Assignment> assignments = with_numbers(given, constants);
     std::map<std::string, std::string> places;
-    std::string unknown_section; // what stands in it is no fault of its own
+    std::string unknown_section; // its entries are no faults of their own
     for (const Assignment &assignment : assignments)
       if (unknown_section.empty() ||
           !begins_with(assignment.path, unknown_section))

@@ -30,7 +30,7 @@ namespace ThermoContact
 
 
 
-    /** What may stand for an entry; the words of a list as code. */
+    /** The allowed values of an entry; the words of a list as code. */
     std::string
     allowed_values(const DeclaredEntry &entry)
     {

@@ -28,7 +28,7 @@ namespace ThermoContact
     constexpr std::size_t max_file_size      = 64 << 20;
     constexpr std::size_t max_statement_size = 20000;
 
-    /** What stands at byte @p i of a text that may be UTF-8. */
+    /** The character at byte @p i of a text that may be UTF-8. */
     struct Character
     {
       Character(const std::string &text, const std::size_t i)
@@ -318,7 +318,7 @@ namespace ThermoContact
       "give " + (wanted.empty() ? "a parameter file (.prm)" : wanted);
     if (std::error_code absent;
         std::filesystem::exists(file_name + "/used.prm", absent))
-      remedy += ": " + quote(file_name) + "/used.prm is that of its run";
+      remedy += ": " + quote(file_name) + "/used.prm is the file of its run";
     const std::string place =
       is_standard_input ? "standard input" : quote(file_name);
     std::error_code not_found; // the stream says why

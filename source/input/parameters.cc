@@ -76,8 +76,8 @@ namespace ThermoContact
                "ground, for Dimension = 1: force over velocity, per area.",
                "dashpot");
       entry("Mass", end.mass, coefficient)
-        .means("Mass m >= 0 on the end, for Dimension = 1, per area; that of "
-               "the body is b.",
+        .means("Mass m >= 0 on the end, for Dimension = 1, per area; the body "
+               "has the mass b.",
                "mass");
     };
     const NumberOrText load = NumberOrText::expression("x, y, z, t, theta_A");
@@ -85,8 +85,8 @@ namespace ThermoContact
       SectionOfEntries entry(prm, "Boundary/left");
       entry("Support", left.support, Selection("clamped|sliding|free"))
         .means("The end x = 0: clamped (no displacement), sliding (no axial "
-               "displacement, no shear stress, for Dimension > 1) or free (no "
-               "stress but what is given below).");
+               "displacement, no shear stress, for Dimension > 1) or free "
+               "(stress as given below).");
       entry("Displacement", left.displacement, NumberOrText::expression("t"))
         .means("Displacement u_A of the end along the axis, a base that moves: "
                "an expression in t, zero at t = 0, e.g. 0.1*sin(2*pi*t).",
@@ -101,7 +101,7 @@ namespace ThermoContact
             left.temperature_expression,
             NumberOrText::number_or_expression("t", true, "none"))
         .means("Temperature theta_A of the end; an expression in t, e.g. "
-               "10*sin(2*pi*t); none: the next three say what heat does there.",
+               "10*sin(2*pi*t); none: heat flows by the next three.",
                "temperature");
       entry("Heat exchange", left.heat_exchange, coefficient)
         .means("Heat exchange coefficient k_A >= 0 of an end without a given "
@@ -147,8 +147,8 @@ namespace ThermoContact
       SectionOfEntries entry(prm, "Boundary/sides");
       entry("Support", sides.support, Selection("rollers|free|symmetric"))
         .means("Lateral faces, for Dimension > 1: rollers (no normal "
-               "displacement), free, or symmetric: rollers at y = 0 and z = 0 "
-               "alone, a half or a quarter of a body with free faces.");
+               "displacement), free, or symmetric (a half or a quarter of a "
+               "body with free faces: rollers at y = 0 and z = 0).");
       entry("Heat exchange", sides.heat_exchange, coefficient)
         .means("Heat m (theta - theta_inf) that the rod loses to its "
                "surroundings per volume, m >= 0; for Dimension > 1 through its "
@@ -178,8 +178,8 @@ namespace ThermoContact
             [this, name = one.name](const double value) { law[name] = value; })
         .means(one.text, one.kind);
     entry("Stiffness", stiffness, NumberOrText::word("none"))
-      .means("The other word for Compliance in a file with section Rod: force "
-             "over penetration, N/m, or over its power Exponent, N/m^m.",
+      .means("In place of Compliance in a file with section Rod: force over "
+             "penetration, N/m, or over its power Exponent, N/m^m.",
              "stiffness");
     entry("Gap",
           gap,
@@ -187,14 +187,14 @@ namespace ThermoContact
           NumberOrText::number_or_expression("y, z, t", true))
       .means("Gap g between the undeformed rod and the obstacle; negative is a "
              "preload. An expression in t moves the obstacle, e.g. "
-             "0.1-0.02*sin(3*t); one in y, z, for Dimension > 1, is its shape, "
-             "at each contact node its gap, e.g. 0.1+(y-0.05)^2/2.",
+             "0.1-0.02*sin(3*t); in y, z, for Dimension > 1, it is the shape, "
+             "e.g. 0.1+(y-0.05)^2/2.",
              "length");
     entry("Rear gap", rear_gap, NumberOrText::word("none"))
-      .means("Gap g_2 to a second obstacle behind the end x = 1, u(1) >= -g_2, "
-             "with the same law; none: no such obstacle. Its pressures are "
-             "negative.",
-             "length");
+      .means(
+        "Gap g_2 to a second obstacle of the same law behind the end, "
+        "u(1) >= -g_2; its pressures are negative. none: no such obstacle.",
+        "length");
     entry("Massless nodes", massless_nodes, Selection("automatic|on|off"))
       .means(
         "The mass of the contact nodes is moved to their neighbours, for "
@@ -220,13 +220,8 @@ namespace ThermoContact
        &S::displacement,
        false,
        false,
-       "What displacement, gap and penetration are measured in, m; none: in "
-       "Length."},
-      {"Stress",
-       &S::stress,
-       false,
-       true,
-       "What stress and pressure are measured in, Pa."},
+       "Unit of displacement, gap and penetration, m; none: Length."},
+      {"Stress", &S::stress, false, true, "Unit of stress and pressure, Pa."},
       {"Area",
        &S::area,
        false,
@@ -236,7 +231,7 @@ namespace ThermoContact
        &S::temperature,
        true,
        true,
-       "What temperatures above the reference are measured in, K."},
+       "Unit of temperatures above the reference, K."},
       {"Reference temperature",
        &S::reference_temperature,
        true,
@@ -294,7 +289,7 @@ namespace ThermoContact
       .means("Poisson ratio nu, for confined lateral sides and Dimension > 1.");
     entry.unbound("Lateral sides", "free", Selection("free|confined"))
       .means("For Dimension = 1: free, a thin rod, whose stiffness is Young's "
-             "modulus; or confined, no lateral strain: that of P-waves.");
+             "modulus; or confined, no lateral strain: the P-wave modulus.");
     entry.unbound("Viscosity", "0", positive)
       .means("Kelvin-Voigt viscosity eta, Pa s: stress eta u_xt.", "viscosity");
     entry.unbound("Linear expansion", "0", Double(-1., 1.))
@@ -305,16 +300,16 @@ namespace ThermoContact
     entry.unbound("Heat capacity", "0", positive)
       .means("Specific heat capacity c, J/(kg K).", "heat capacity");
     entry.unbound("Reference temperature", "0", positive)
-      .means("Temperature of the body without stress, K; that of the body, the "
+      .means("Temperature of the body without stress, K; also of the body, the "
              "obstacle and the surroundings unless they are given.",
              "temperature");
     entry
       .unbound("Small terms", "automatic", Selection("automatic|kept|dropped"))
       .means(
         "Inertia and viscosity: kept, dropped, or automatic: dropped where "
-        "their times, that of a wave through the body and that of "
-        "relaxation, are below 1e-5 of the run, which has no initial "
-        "velocity, moving end or rear stop.");
+        "their times, of a wave through the body and of relaxation, are "
+        "below 1e-5 of the run, which has no initial velocity, moving end or "
+        "rear stop.");
   }
 
 
@@ -327,12 +322,12 @@ namespace ThermoContact
       .means("Output directory; empty: results/<name of the parameter file>.");
     entry("Fields interval", fields_interval, duration)
       .means("Fields (VTU) are written at the first step end at or after each "
-             "multiple of this time, and at T; 0: none.",
+             "multiple of this time, at the first contact, and at T; 0: none.",
              "time");
     entry("Fields cells", fields_cells, Selection("linear|Lagrange"))
       .means("linear: cells of degree p are written as p^d cells of degree 1; "
-             "Lagrange, for Dimension > 1: as they are, as Lagrange cells of "
-             "VTK, whose polynomials ParaView draws.");
+             "Lagrange, for Dimension > 1: as Lagrange cells of VTK, whose "
+             "polynomials ParaView draws.");
     entry("Contact interval", contact_interval, duration)
       .means("Rows of contact.csv are written at the first step end at or "
              "after each multiple of this time, and at T; 0: every step.",
@@ -375,13 +370,14 @@ namespace ThermoContact
   {
     SectionOfEntries entry(prm, "Study");
     entry("Vary", vary)
-      .means("Runs the scene for all combinations of values: Section/Entry = "
-             "value | value ; Section/Entry = value | ... . Values may be "
-             "ranges, 0.6 .. 2.6 (61) or 1e-3 .. 1 (7 log), and those of a "
-             "constant, Constants/omega. Entries that go together, as many "
-             "values of each, are separated by ',': A = a1 | a2 , B = b1 | b2. "
-             "Several sets of combinations are separated by ';;'. Values "
-             "cannot hold '|' or ';'. Empty: runs once.");
+      .means(
+        "Runs the scene for all combinations of values: Section/Entry = "
+        "value | value ; Section/Entry = value | ... . Values may be "
+        "ranges, 0.6 .. 2.6 (61) or 1e-3 .. 1 (7 log); constants vary, too, "
+        "Constants/omega. Entries that go together, as many values of "
+        "each, are separated by ',': A = a1 | a2 , B = b1 | b2. "
+        "Several sets of combinations are separated by ';;'. Values "
+        "cannot hold '|' or ';'. Empty: runs once.");
     entry("Reference", reference)
       .means("none, or overrides Section/Entry = value ; ... for the run that "
              "errors are measured against.");
@@ -453,8 +449,8 @@ namespace ThermoContact
         ").");
     entry("End time", end_time, duration).means("End time T >= 0.", "time");
     entry("Step size", step_size, NumberOrText::word("automatic"))
-      .means("Time step dt > 0, the same for all steps but those that end at "
-             "T, at a contact event or at an output time; automatic: from the "
+      .means("Time step dt > 0, shorter where a step ends at T, at a contact "
+             "event or at an output time; automatic: from the "
              "error estimate of the scheme and the tolerance, or with "
              "Time/Scheme = box the time h sqrt(b) in which a wave passes a "
              "cell. The paper: 0.001.",
@@ -480,10 +476,11 @@ namespace ThermoContact
       .means("Steps end where contact begins or ends, which keeps the order of "
              "the scheme; automatic: with automatic steps.");
     entry("Break points", break_points, List(duration, 0, 100000, ";"))
-      .means("Times, separated by ';', at which steps end, for loads that jump "
-             "or bend there. Automatic steps find those of expressions in t by "
-             "themselves. Times after T have no effect.",
-             "time");
+      .means(
+        "Times, separated by ';', at which steps end, for loads that jump "
+        "or bend there. Automatic steps find jumps and kinks of expressions "
+        "in t by themselves. Times after T have no effect.",
+        "time");
   }
 
 

@@ -17,7 +17,7 @@ namespace ThermoContact
       std::string unit;
     };
 
-    /** Of the length of the rod: what closes it is no small strain. */
+    /** Of the length of the rod: to close it takes no small strain. */
     constexpr double widest_gap = 0.1;
 
     // softer than rubber, heavier than osmium, colder than any rod but in a

@@ -147,7 +147,7 @@ namespace ThermoContact
   refuse_units(const Assignment &assignment)
   {
     const auto split = split_unit(assignment.value);
-    // what is behind a number may be a name, whose '*' is missing
+    // the word behind a number may be a name, whose '*' is missing
     if (!entry_of_program(assignment.path).kind.empty() && split &&
         !split->unit.empty() && is_unit(split->unit))
       refuse(assignment,

@@ -33,7 +33,7 @@ namespace ThermoContact
                 bounds.end(),
                 [](const Bound &a, const Bound &b) { return a.time < b.time; });
       std::vector<LoadStretch> result;
-      std::multiset<double>    widths; // of those that have begun
+      std::multiset<double>    widths; // of bounds that have begun
       double                   begin = 0.;
       for (const Bound &bound : bounds)
         {

@@ -114,7 +114,7 @@ namespace ThermoContact
                   const Number       *x,
                   Number             *y)
     {
-      if (band.width == 3) // those of degree 2
+      if (band.width == 3) // splines of degree 2
         multiply_band<add, 3>(band, n_blocks, n_inner, x, y);
       else if (band.width == 5)
         multiply_band<add, 5>(band, n_blocks, n_inner, x, y);
@@ -230,7 +230,7 @@ namespace ThermoContact
     slope           = value;
     for (unsigned int node = 0; node < n_nodes; ++node)
       {
-        const unsigned int first = // of those that are not zero in a cell
+        const unsigned int first = // of the splines that are not zero in a cell
           std::min(node / degree, n_cells - 1) * (degree - 1);
         std::vector<ValueAndSlope> b(degree + 2);
         b[degree].value = 1.;

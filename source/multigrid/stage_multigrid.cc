@@ -19,9 +19,9 @@ namespace ThermoContact
 
 
     /**
-     * Three steps treat a range of 15. What keeps its volume is soft beside
-     * what does not, by $\mu/\lambda$: where no subspaces are for it, the range
-     * grows with $\lambda/\mu$, the steps with its root.
+     * Three steps treat a range of 15. Motions that keep the volume are soft
+     * beside others, by $\mu/\lambda$: where no subspaces are for them, the
+     * range grows with $\lambda/\mu$, the steps with its root.
      */
     Smoothing
     smoothing(const Field::Block field,

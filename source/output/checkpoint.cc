@@ -83,8 +83,8 @@ namespace ThermoContact
 
     // A file is a line that names the format, a line with the CRC-32 of the
     // next one, a line of JSON, with size and checksum of each part, then the
-    // parts: what the simulation of all ranks has in common, and the nodes of
-    // one rank after the other, which may be as large as the disk allows.
+    // parts: the values that all ranks have in common, and the nodes of one
+    // rank after the other, which may be as large as the disk allows.
 
     /**
      * Changes with every member that a Simulation saves, but for columns of
@@ -145,7 +145,7 @@ namespace ThermoContact
       const auto header = nlohmann::json::parse(line);
       if (header.at("columns") != column_names())
         throw std::runtime_error(
-          "its columns are those of another version of thermocontact");
+          "its columns belong to another version of thermocontact");
       Checkpoint checkpoint;
       header.at("time").get_to(checkpoint.time);
       header.at("step").get_to(checkpoint.step);

@@ -126,7 +126,7 @@ namespace ThermoContact
 
 
 
-    /** Calls @p action on rank 0; what it returns or throws is a fault. */
+    /** Calls @p action on rank 0, which returns or throws a fault. */
     template <typename Action>
     void
     on_first_rank(const std::string &directory,

@@ -102,7 +102,7 @@ namespace ThermoContact
       damped.since(scene.is_fixed_point,
                    "Solver/Step solver = fixed point",
                    "Solver/Step solver = monolithic: the iteration of the "
-                   "paper is that of an elastic obstacle");
+                   "paper is for an elastic obstacle");
       damped.since(!scene.scheme.needs_linear_contact.empty(),
                    name_of_scheme(scene),
                    take_default_scheme(

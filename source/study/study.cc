@@ -84,7 +84,7 @@ namespace ThermoContact
 
 
     /**
-     * What is wrong if rows have been lost, as where several ranks append to a
+     * The fault that rows have been lost, as where several ranks append to a
      * file of another machine, or nothing.
      */
     std::string

@@ -97,7 +97,7 @@ namespace ThermoContact
 
 
 
-    /** check_study_memory() of what is forecast; collective. */
+    /** check_study_memory() of the forecast; collective. */
     std::string
     describe_memory(StudyForecast forecast)
     {
@@ -134,17 +134,17 @@ namespace ThermoContact
       const double      needed      = std::max(bytes, bytes_of_reference);
       const std::string fewer_ranks = n_at_once > 1 ? "fewer ranks, " : "";
       if (needed > 2. * memory.bytes)
-        throw InputError(
-          text(bytes > 2. * memory.bytes ? "Study/Vary" : "Study/Reference",
-               ": the study takes, of memory here, about ",
-               what,
-               "; there are ",
-               gigabytes(memory.bytes),
-               "\n  allowed: what takes less than twice as much as there is, "
-               "since the forecast may be off by as much\n  remedy:  ",
-               fewer_ranks,
-               "fewer Mesh/Cells, a lower Mesh/Degree, Solver/Linear solver = "
-               "iterative"));
+        throw InputError(text(
+          bytes > 2. * memory.bytes ? "Study/Vary" : "Study/Reference",
+          ": the study takes, of memory here, about ",
+          what,
+          "; there are ",
+          gigabytes(memory.bytes),
+          "\n  allowed: less than twice the memory that there is, since the "
+          "forecast may be off by as much\n  remedy:  ",
+          fewer_ranks,
+          "fewer Mesh/Cells, a lower Mesh/Degree, Solver/Linear solver = "
+          "iterative"));
       std::string lines =
         "  memory    about " + what + "; here are " + gigabytes(memory.bytes);
       if (needed > memory.bytes)

@@ -96,7 +96,7 @@ namespace ThermoContact
             is_log ?
               first->number * std::pow(last->number / first->number, part) :
               (1. - part) * first->number + part * last->number;
-          // without what rounding adds: 0.3, not 0.30000000000000004
+          // without rounding: 0.3, not 0.30000000000000004
           values.push_back(
             significant(i == 0     ? first->number :
                         i == n - 1 ? last->number :
@@ -109,7 +109,8 @@ namespace ThermoContact
 
 
 
-    /** Parts at commas behind which an entry stands: not those of functions. */
+    /** Parts at commas behind which an entry stands, not at commas of
+     * functions. */
     std::vector<std::string>
     split_entries(const std::string &text)
     {

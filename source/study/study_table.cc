@@ -181,7 +181,7 @@ namespace ThermoContact
           std::getline(file, line);
         while (file && !line.empty() && line[0] == '#');
         if (split_row(line) != names)
-          fail("its columns are not those of this study");
+          fail("it has not the columns of this study");
         n_read = file.tellg();
       }
     file.seekg(n_read);

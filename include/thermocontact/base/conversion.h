@@ -21,14 +21,14 @@ namespace ThermoContact
     double
     operator()(const double value) const
     {
-      // 0 is added to no value that is written as it is: -0 stays what it is
+      // nothing is added to a value without a unit: -0 stays -0
       return unit.empty() ? value : factor * value + offset;
     }
   };
 
 
 
-  /** Those of the columns of a table, in order; none: all as they are. */
+  /** Of the columns of a table, in order; none: all as they are. */
   using Conversions = std::vector<Conversion>;
 } // namespace ThermoContact
 

@@ -27,7 +27,8 @@ namespace ThermoContact
   std::string
   csv_comments(const std::string &title);
 
-  /** The fields of a row without its line break: what append_field() wrote. */
+  /** The fields of a row without its line break, as append_field() wrote them.
+   */
   std::vector<std::string>
   split_row(const std::string_view row);
 

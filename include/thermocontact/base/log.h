@@ -9,7 +9,7 @@
 namespace ThermoContact
 {
   /**
-   * What the screen shows, kept in log.txt as well. Writes on one rank only.
+   * The text on the screen, kept in log.txt as well. Writes on one rank only.
    *
    * On a terminal the last line may be live: it is rewritten in place, gives
    * way to every other line, and is not in the file.
@@ -32,10 +32,10 @@ namespace ThermoContact
     operator=(const Log &) = delete;
 
     /**
-     * Also writes to @p file_name, or at its end: what was printed so far, and
-     * all that follows.
+     * Also writes to @p file_name, or at its end: all lines printed so far, and
+     * all that follow.
      *
-     * @return what is wrong, with path and remedy, or nothing
+     * @return the fault, with path and remedy, or nothing
      */
     std::string
     open_file(const std::string &file_name, const bool append = false);

@@ -16,7 +16,7 @@ namespace ThermoContact
    * size: each rank writes its own to its place, and none holds that of
    * another. The directory must be one that all ranks see. Collective.
    *
-   * Each rank writes for itself, not by MPI-IO: that of Open MPI 4.1 reports
+   * Each rank writes for itself, not by MPI-IO, which in Open MPI 4.1 reports
    * success on a full disk, and hangs at a limit on the size of files.
    *
    * @param part of this rank, in pieces that follow each other

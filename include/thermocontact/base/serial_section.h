@@ -22,8 +22,8 @@ namespace ThermoContact
    * Rank 0 calls @p action, which may use no other rank; the others wait for
    * its end. Collective.
    *
-   * @throw what the action throws, InputError or ComputationError, on all
-   *   ranks; the message is known on rank 0
+   * @throw InputError or ComputationError of the action, on all ranks; the
+   * message is known on rank 0
    */
   template <typename Action>
   void

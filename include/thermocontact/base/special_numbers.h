@@ -9,7 +9,7 @@ namespace ThermoContact
 {
   inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /** Of what is not known, or not there. */
+  /** A value that is not known, or not there. */
   inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 } // namespace ThermoContact
 

@@ -18,13 +18,13 @@ namespace ThermoContact
   class TableFile
   {
   public:
-    /** Writes what is left, if it can. */
+    /** Writes the rows that are left, if it can. */
     ~TableFile();
 
     /**
      * Begins a new file at @p path with @p head, or goes on with the one that
-     * is there behind its first @p size bytes, if that is not 0; what comes
-     * after them is cut off. A fault shows at the next flush().
+     * is there behind its first @p size bytes, if that is not 0; the
+     * bytes after them are cut off. A fault shows at the next flush().
      */
     void
     open(const std::string  &path,
@@ -56,7 +56,7 @@ namespace ThermoContact
     /**
      * Hands all rows to the operating system: other programs see them.
      *
-     * @return what is wrong, with path and remedy, or nothing
+     * @return the fault, with path and remedy, or nothing
      */
     std::string
     flush();

@@ -13,7 +13,7 @@
 namespace ThermoContact
 {
   /**
-   * Concatenates words, letters and numbers; those that are not whole have
+   * Concatenates words, letters and numbers; numbers that are not whole have
    * @ref few_digits.
    */
   template <typename... Parts>

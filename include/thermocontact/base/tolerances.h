@@ -15,7 +15,7 @@ namespace ThermoContact
    */
   namespace Tolerances
   {
-    // ---- what rounding leaves
+    // ---- rounding
 
     /** Of a few operations: 10 u. */
     inline constexpr double rounding = 1e-15;
@@ -24,8 +24,8 @@ namespace ThermoContact
     inline constexpr double rounding_of_sum = 1e-14;
 
     /**
-     * Of steps in parts of the time: what an interpolant has lost of
-     * velocities, u over it, is what accelerations change within it.
+     * Of steps in parts of the time: so short a step changes velocities by
+     * accelerations as much as an interpolant has lost of them, u over it.
      */
     inline constexpr double short_step = 1e-8;
 
@@ -38,7 +38,7 @@ namespace ThermoContact
      */
     inline constexpr double strains_of_errors = 100.;
 
-    /** Of what a user writes as products, of projections, of coordinates. */
+    /** Of products that a user writes, of projections, of coordinates. */
     inline constexpr double rounding_of_data = 1e-12;
 
     /**
@@ -122,10 +122,10 @@ namespace ThermoContact
     /** Krylov: while the tangents of contact still change. */
     inline constexpr double loose_residual = 1e-5;
 
-    /** Krylov: of what corrects an estimate of errors. */
+    /** Krylov: of the correction of an estimate of errors. */
     inline constexpr double estimate_residual = 1e-3;
 
-    /** Krylov: if the user names none; what 1e-8 of a result needs. */
+    /** Krylov: if the user names none; results then have 1e-8. */
     inline constexpr double default_residual = 1e-9;
 
     /** Projections of initial values: the digits that later steps keep. */
@@ -151,7 +151,7 @@ namespace ThermoContact
      */
     inline constexpr double negligible_load = 1e-7;
 
-    // ---- what a user gives twice
+    // ---- values that a user gives twice
 
     /** Areas this close are meant to be one: three digits. */
     inline constexpr double same_area = 1e-3;
@@ -162,7 +162,7 @@ namespace ThermoContact
      * exp(-7). */
     inline constexpr double reached_state = 1e-3;
 
-    // ---- what is worth a warning, or a step
+    // ---- effects that are worth a warning, or a step
 
     /** Estimated errors below that say nothing on the next step size. */
     inline constexpr double smallest_error = 1e-10;

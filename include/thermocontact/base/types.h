@@ -61,8 +61,8 @@ namespace ThermoContact
   constexpr types::boundary_id first_lateral_id    = 2; ///< $y=0$
 
   /**
-   * What differs in one dimension: a face is a point, and the mesh is too small
-   * to be shared by ranks.
+   * The differences of one dimension: a face is a point, and the mesh is too
+   * small to be shared by ranks.
    */
   template <int dim>
   struct DimensionTraits

@@ -38,16 +38,15 @@ namespace ThermoContact
     void
     write(const std::string_view bytes, const std::uint64_t begin);
 
-    /** Cuts off what is behind @p size bytes; a fault if the file is shorter.
-     */
+    /** Cuts off all behind @p size bytes; a fault if the file is shorter. */
     void
     cut(const std::uint64_t size);
 
-    /** What is written survives a loss of power. */
+    /** The bytes written so far survive a loss of power. */
     void
     sync();
 
-    /** What is wrong, with path and remedy, or nothing. */
+    /** The fault, with path and remedy, or nothing. */
     const std::string &
     fault() const
     {
@@ -66,15 +65,15 @@ namespace ThermoContact
 
 
 
-  /** What a file is called while it is written. */
+  /** Behind the name of a file while it is written. */
   constexpr char part_suffix[] = ".part";
 
   /**
    * Replaces the file at @p path by @p text, in one piece: whoever reads it
    * sees the old or the new file whatever happens. On one rank.
    *
-   * @return what is wrong, with the path, or nothing; then the old file is as
-   *   it was and nothing else is left
+   * @return the fault, with the path, or nothing; after a fault the old file
+   *   is as it was and nothing else is left
    */
   std::string
   write_atomically(const std::string &path, const std::string &text);
@@ -83,8 +82,8 @@ namespace ThermoContact
    * The end of write_atomically(): the file that was written beside @p path
    * takes its place.
    *
-   * @param fault what was wrong with writing it, or nothing
-   * @return what is wrong, with the path; then what was written is gone
+   * @param fault of writing it, or nothing
+   * @return the fault, with the path; then the new file is gone
    */
   std::string
   put_in_place(const std::string &path, std::string fault);
@@ -92,7 +91,7 @@ namespace ThermoContact
   /**
    * Waits until the file at @p path would survive a loss of power.
    *
-   * @return what is wrong, with the path, or nothing
+   * @return the fault, with the path, or nothing
    */
   std::string
   sync_file(const std::string &path);

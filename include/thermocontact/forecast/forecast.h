@@ -63,7 +63,7 @@ namespace ThermoContact
 
 
 
-  /** What the rod does at its first impact, estimated. */
+  /** The first impact of the rod, estimated. */
   struct FirstImpact
   {
     double time     = 0.;
@@ -92,9 +92,9 @@ namespace ThermoContact
 
   /**
    * Memory of all processes of a run, bytes, in two and three dimensions within
-   * a factor of about two, doc/bodies.md: what a process takes before it
-   * computes anything, and what the body takes; of the direct solver mostly the
-   * factors of the step sizes that are kept. A rod takes next to nothing.
+   * a factor of about two, doc/bodies.md: of a process before it computes
+   * anything, and of the body; with the direct solver mostly for the factors of
+   * the step sizes that are kept. A rod takes next to nothing.
    */
   double
   expected_memory(const Scene &scene, const unsigned int n_ranks);
@@ -126,7 +126,7 @@ namespace ThermoContact
 
   /**
    * Names and values of the times that the terms of a scene act on,
-   * doc/model.md (M8.1): only those that it has.
+   * doc/model.md (M8.1): of terms that it has.
    */
   std::vector<std::pair<std::string, double>>
   time_scales(const Scene &scene);
@@ -147,7 +147,7 @@ namespace ThermoContact
 
 
 
-  /** What a run is expected to take and to write. */
+  /** The expected steps, time, memory and files of a run. */
   struct ExpectedCost
   {
     double steps     = 0.;
@@ -170,14 +170,14 @@ namespace ThermoContact
    * about three if they follow sources; size of the files that grow with time;
    * processor time of a body.
    *
-   * @param loads what error-controlled steps follow of sources
+   * @param loads the sources that error-controlled steps follow
    */
   ExpectedCost
   expected_cost(const Scene &scene, const LoadHistory &loads);
 
 
 
-  /** What is known of a run before it is made. */
+  /** All that is known of a run before it is made. */
   struct Forecast
   {
     Forecast(const Scene &scene, const LoadHistory &loads)

@@ -10,7 +10,7 @@
 
 namespace ThermoContact
 {
-  /** What the command line asks for. */
+  /** The requests of the command line. */
   struct CommandLine
   {
     std::string             file_name; ///< the parameter file, may be empty

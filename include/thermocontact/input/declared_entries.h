@@ -12,21 +12,21 @@ namespace ThermoContact
 {
   using dealii::ParameterHandler;
 
-  /** What a ParameterHandler says about one entry. */
+  /** One entry of a ParameterHandler. */
   struct DeclaredEntry
   {
     std::string path;          ///< "Section/Entry", or "Entry" outside sections
     std::string value;         ///< the present one
     std::string default_value; ///< the one declared
     std::string text;          ///< meaning
-    std::string pattern;       ///< what is allowed, as deal.II describes it
+    std::string pattern;       ///< of allowed values, as deal.II describes it
     std::string kind; ///< of quantity, QuantityUnits; empty: it is none
     std::string remark    = "";    ///< behind the value when it is written
     bool        is_remark = false; ///< all of it, when it is written
 
     /**
-     * What an expression for it may name in a body of dimension @p dim;
-     * nothing: it is a number or text.
+     * The names that an expression for it may have in a body of dimension
+     * @p dim; none: it is a number or text.
      */
     std::vector<std::string>
     variables(const unsigned int dim) const;
@@ -42,7 +42,7 @@ namespace ThermoContact
   std::string
   describe_pattern(std::string pattern);
 
-  /** What its pattern allows, in words; 0 is no value of some. */
+  /** The allowed values of its pattern, in words; 0 is no value of some. */
   std::string
   describe_allowed(const DeclaredEntry &entry);
 } // namespace ThermoContact

@@ -15,7 +15,7 @@ namespace ThermoContact
 {
   class MeasuredTable;
 
-  /** What the names in an expression mean. */
+  /** The meaning of names in an expression. */
   struct ExpressionNames
   {
     /**
@@ -30,7 +30,7 @@ namespace ThermoContact
 
     bool has_units = false; ///< tables may have units in their headers
 
-    /** Those of the variables and of the value; empty: they are not known. */
+    /** Units of the variables and of the value; empty: they are not known. */
     std::vector<std::string> units = {};
 
     /** Values that are not finite are refused. */
@@ -47,10 +47,10 @@ namespace ThermoContact
    *
    * Operators, from the last to the first that binds: `? :`; `||` and `|`; `&&`
    * and `&`; `< <= > >= == !=`; `+ -`; `* /` and signs; `^` from the right.
-   * What is not 0 is true. table(FILE, t) and table(FILE,
-   * COLUMN, t) are linear between the rows of a table, smooth() is a monotone
-   * cubic. Where the formula has branches its
-   * derivatives are those of the branch that holds; that of a step is 0.
+   * Numbers but 0 are true. table(FILE, t) and table(FILE, COLUMN, t) are
+   * linear between the rows of a table, smooth() is a monotone cubic. Where the
+   * formula has branches its derivatives belong to the branch that holds; a
+   * step has the derivative 0.
    */
   class Expression
   {
@@ -108,7 +108,7 @@ namespace ThermoContact
     std::vector<std::string>
     tables_left(const double *variables) const;
 
-    /** What of its tables a user should look at. */
+    /** Doubts about its tables, for the user to look at. */
     std::vector<std::string>
     doubts_of_tables() const;
 
@@ -168,7 +168,7 @@ namespace ThermoContact
     std::vector<std::shared_ptr<const MeasuredTable>> tables_;
 
     /**
-     * @param position of what is not finite, for messages
+     * @param position of the part that is not finite, for messages
      * @throw InputError if it is not finite at one of 17 points of the first
      *   variable from 0 to 1, where all others are 0
      */

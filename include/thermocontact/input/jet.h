@@ -125,7 +125,7 @@ namespace ThermoContact
   inline Interval
   operator*(const Interval &a, const Interval &b)
   {
-    // nothing times what is infinite is nothing: a zero is one here
+    // 0 times infinity is 0: a zero is exact here
     const auto product = [](const double x, const double y) {
       return x == 0. || y == 0. ? 0. : x * y;
     };
@@ -154,7 +154,7 @@ namespace ThermoContact
 
 
 
-  /** What is not negative, without the part of @p a that is. */
+  /** Never negative, as the product of @p a with itself could be. */
   inline Interval
   square(const Interval &a)
   {
@@ -216,7 +216,7 @@ namespace ThermoContact
   exp(const Interval &a)
   {
     const Interval value = monotone(std::exp, a);
-    // what is rounded to nothing is nothing
+    // a value that is rounded to 0 is 0
     return {a.high < -746. ? 0. : std::max(value.low, 0.),
             a.high < -746. ? 0. : value.high};
   }

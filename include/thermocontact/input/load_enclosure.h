@@ -8,7 +8,7 @@
 
 namespace ThermoContact
 {
-  /** What a function of time does up to the end of a run. */
+  /** A function of time up to the end of a run. */
   struct EnclosedLoad
   {
     LoadHistory history;
@@ -27,9 +27,9 @@ namespace ThermoContact
 
   /**
    * Encloses a function over $[0,T]$ in spans of time, which are halved until
-   * it is smooth in them and nearly a parabola. What is left when a span cannot
-   * be halved any more is a jump, between two neighbouring doubles, or a jump
-   * of the slope. Since the values in a span are enclosed, nothing in it is
+   * it is smooth in them and nearly a parabola. A span that cannot be halved
+   * any more is a jump, between two neighbouring doubles, or a jump of the
+   * slope. Since the values in a span are enclosed, nothing in it is
    * overlooked, however short.
    *
    * @param end_time $T>0$

@@ -46,7 +46,7 @@ namespace ThermoContact
     /** Of the first column and of the values, as the header has them. */
     std::string unit_of_arguments, unit_of_values;
 
-    /** What a user should look at: columns without units, holes. */
+    /** Doubts for the user to look at: columns without units, holes. */
     std::vector<std::string> doubts;
 
     double

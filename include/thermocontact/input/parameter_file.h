@@ -35,11 +35,11 @@ namespace ThermoContact
    * units the scene without units is written.
    *
    * @param parameters to which the entries of @p prm are bound
-   * @return what follows from section Rod and is written beside them
-   * @throw InputError with place, path, value, what is allowed and the meaning
-   *   of the entry if a section or a name is unknown (then with the nearest
-   *   known one), a value or its unit does not fit, or a file sets an entry
-   *   twice
+   * @return entries that follow from section Rod and are written beside them
+   * @throw InputError with place, path, value, the allowed ones and the
+   *   meaning of the entry if a section or a name is unknown (then with the
+   * nearest known one), a value or its unit does not fit, or a file sets an
+   * entry twice
    */
   std::vector<Assignment>
   assign_entries(const std::vector<Assignment> &assignments,
@@ -69,7 +69,7 @@ namespace ThermoContact
   /**
    * Writes entries with their values as a parameter file.
    *
-   * @param entries those of a section one after the other
+   * @param entries of a section one after the other
    * @param omit paths that are left out
    */
   void

@@ -40,8 +40,8 @@ namespace ThermoContact
 
 
   /**
-   * The text as messages show it: what cannot be seen (control characters,
-   * blanks of other widths, bytes that are not UTF-8) by its number, and no
+   * The text as messages show it: invisible characters (control characters,
+   * blanks of other widths, bytes that are not UTF-8) by their numbers, and no
    * more than the beginning of a long text.
    */
   std::string
@@ -54,7 +54,8 @@ namespace ThermoContact
   /**
    * The text of a file or of a pipe, "-" for the standard input.
    *
-   * @param wanted what a message asks for: a table; empty: a parameter file
+   * @param wanted the file that a message asks for: a table; empty: a parameter
+   *   file
    * @throw InputError if it cannot be opened or read, is a directory, empty, or
    *   larger than any parameter file
    */
@@ -67,7 +68,7 @@ namespace ThermoContact
    * section where it stands), comments from '#', lines continued by '\'. Lines
    * end as on Unix or on Windows.
    *
-   * @param name what messages call the input
+   * @param name of the input in messages
    * @throw InputError naming line and remedy on any other statement, on
    *   `subsection` without `end` and the reverse, on a binary file
    */
@@ -84,7 +85,7 @@ namespace ThermoContact
                   const std::string             &path);
 
   /**
-   * Says what is wrong with a value.
+   * Throws the fault of a value.
    *
    * @param allowed, remedy left out if empty
    * @throw InputError

@@ -47,7 +47,7 @@ namespace ThermoContact
   /** Section Boundary: doc/model.md (M1.3), by the names of its parts. */
   struct BoundaryParameters
   {
-    /** What an end of a rod carries, per area of the cross-section. */
+    /** Spring, dashpot and mass on an end of a rod, per cross-section. */
     struct Attached
     {
       double spring  = 0.; ///< $s\ge0$, to the ground
@@ -161,7 +161,7 @@ namespace ThermoContact
   /** Section Mesh. */
   struct MeshParameters
   {
-    /** Those of a mesh whose cells and degree are automatic. */
+    /** Of a mesh whose cells and degree are automatic. */
     static constexpr unsigned int cells_by_default = 8, degree_by_default = 4;
 
     unsigned int cells          = 0; ///< 0: automatic, until a Scene has it
@@ -200,7 +200,7 @@ namespace ThermoContact
     double
     n_nodes(const unsigned int dim) const;
 
-    /** Of these, those of the contact end. */
+    /** The nodes of the contact end. */
     double
     n_contact_nodes(const unsigned int dim) const;
 
@@ -318,14 +318,13 @@ namespace ThermoContact
 
 
   /**
-   * Section Scales: what one unit of the scene is, in SI units; for output
-   * alone.
+   * Section Scales: one unit of the scene in SI units; for output alone.
    */
   struct ScalesParameters
   {
     std::optional<double> length;                ///< m, of positions
     std::optional<double> time;                  ///< s
-    std::optional<double> displacement;          ///< m; none: that of positions
+    std::optional<double> displacement;          ///< m; none: as of positions
     std::optional<double> stress;                ///< Pa
     std::optional<double> area;                  ///< m^2, cross-section
     std::optional<double> temperature;           ///< K, above the reference
@@ -420,9 +419,9 @@ namespace ThermoContact
     StudyParameters         study;
 
     /**
-     * What an expression of the entry @p path may name; theta_A is none of the
-     * variables. It is evaluated with gap and pressure, or else with x, y, z
-     * and t, whichever it may name.
+     * The names that an expression of the entry @p path may have; theta_A is
+     * none of the variables. It is evaluated with gap and pressure, or else
+     * with x, y, z and t, whichever it may name.
      */
     ExpressionNames
     names(const std::string &path) const;

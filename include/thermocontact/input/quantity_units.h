@@ -29,8 +29,8 @@ namespace ThermoContact
   /**
    * In which units files, screen and messages have the quantities of a scene:
    * SI units if there are Scales and Output/SI is true, else none. The only
-   * place that decides. What is kept for other runs of the program, checkpoints
-   * and space-time.columns, is nondimensional.
+   * place that decides. Files for other runs of the program, checkpoints and
+   * space-time.columns, are nondimensional.
    *
    * Kinds of quantities are words: "time", "length" (of displacements),
    * "position", "velocity", "stress", "force", "force × time", "force ×

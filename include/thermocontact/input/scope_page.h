@@ -7,11 +7,11 @@
 
 namespace ThermoContact
 {
-  /** doc/scope.md: what the model has, what it lacks, what to do instead. */
+  /** doc/scope.md: parts that the model has, parts that it lacks, remedies. */
   extern const char *const scope_page;
 
   /**
-   * What the table of @ref scope_page answers to @p name, which is the name of
+   * The answer of the table of @ref scope_page to @p name, which is the name of
    * no entry and no section: lines "answer:" and "remedy:" of a message, each
    * behind a line break; nothing where no row has a word of the name.
    */

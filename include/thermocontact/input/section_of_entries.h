@@ -15,7 +15,7 @@
 
 namespace ThermoContact
 {
-  /** What an entry may be if it is no number: a word, or an expression. */
+  /** A pattern of entries that may be a word or an expression. */
   class NumberOrText : public dealii::Patterns::PatternBase
   {
   public:

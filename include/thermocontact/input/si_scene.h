@@ -45,8 +45,8 @@ namespace ThermoContact
   {
   public:
     /**
-     * @param assignments of the whole file, the last one of a path; those of
-     *   section Rod are known to fit
+     * @param assignments of the whole file, the last one of a path; values
+     *   of section Rod are known to fit
      * @param constants values of section Constants
      * @throw InputError if an entry that the scales follow from is not given,
      *   or another one that has no default in SI units
@@ -157,9 +157,9 @@ namespace ThermoContact
 
 
   /**
-   * What is said of numbers of a file in SI units that hardly are in the SI
-   * base unit that they are read in, with the unit that was probably meant. A
-   * number with its unit is not doubted.
+   * Doubts about numbers of a file in SI units that are unlikely in their SI
+   * base unit, with the unit that was probably meant. A number with its unit is
+   * not doubted.
    */
   std::vector<std::string>
   implausible_numbers(const std::vector<Assignment> &assignments);

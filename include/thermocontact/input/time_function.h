@@ -52,7 +52,7 @@ namespace ThermoContact
       return result;
     }
 
-    /** What it does at all times of @p span. */
+    /** Its values and rates at all times of @p span. */
     IntervalJet
     enclosure(const Interval &span) const
     {

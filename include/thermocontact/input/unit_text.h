@@ -22,7 +22,7 @@ namespace ThermoContact
 
 
 
-  /** What @p text is, or nothing if it is an expression or a word. */
+  /** The number in @p text; nothing if it is an expression or a word. */
   std::optional<NumberWithUnit>
   split_unit(const std::string &text);
 

@@ -12,8 +12,8 @@ namespace ThermoContact
 {
   /**
    * The body for which the box $(0,1)\times(0,\text{width})^{dim-1}$ of the
-   * mesh stands: what its points weigh in integrals, the strain that is not in
-   * the plane of the mesh, its axis and what holds it there. No mesh, no
+   * mesh stands: the weights of its points in integrals, the strain that is not
+   * in the plane of the mesh, its axis and the support there. No mesh, no
    * matrix. Nondimensional.
    *
    * This class is the box itself: a rod, a strip in plane strain, a block.
@@ -67,7 +67,7 @@ namespace ThermoContact
       return true;
     }
 
-    /** What an area or length of the mesh at @p y stands for. */
+    /** Area or length of the body over that of the mesh at @p y. */
     virtual double
     weight(const double y) const
     {
@@ -99,11 +99,11 @@ namespace ThermoContact
 
 
 
-  /** A kind of geometry: what it is called and how it is made. */
+  /** A kind of geometry: its name and the way to make it. */
   struct GeometryKind
   {
     std::string name; ///< as the user gives it
-    std::string text; ///< what it is, for the parameter reference
+    std::string text; ///< its meaning, for the parameter reference
 
     /** @param dim dimension of the mesh, and its width */
     std::function<std::unique_ptr<const BodyGeometry>(const unsigned int dim,
@@ -114,9 +114,9 @@ namespace ThermoContact
 
 
   /**
-   * What a mesh of two dimensions may stand for, the default first; it is also
-   * that of other dimensions. To add one: a file that defines its kind, and its
-   * name in the list.
+   * The geometries for which a mesh of two dimensions may stand; the first is
+   * the default and the one of other dimensions. To add one: a file that
+   * defines its kind, and its name in the list.
    */
   const std::vector<GeometryKind> &
   geometries();

@@ -28,14 +28,14 @@ namespace ThermoContact
     double new_time; ///< the first time from which on it has the new one
     bool   is_jump;  ///< or else its slope jumps
 
-    unsigned int jumping = other_load; ///< bits: what jumps there
+    unsigned int jumping = other_load; ///< bits: the loads that jump there
   };
 
 
 
   /**
-   * Breaks in order of time, those that are too close to be told apart as one:
-   * what is between them is no load that a step could see.
+   * Breaks in order of time. Breaks that are too close to be told apart are
+   * one: no step could see the load between them.
    */
   std::vector<LoadBreak>
   merged(std::vector<LoadBreak> breaks);
@@ -54,7 +54,7 @@ namespace ThermoContact
 
 
 
-  /** What loads do in time, doc/contact-in-time.md section 7. */
+  /** Loads in time, doc/contact-in-time.md section 7. */
   struct LoadHistory
   {
     std::vector<LoadBreak> breaks; ///< in order of time

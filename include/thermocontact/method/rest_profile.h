@@ -5,7 +5,7 @@
 
 namespace ThermoContact
 {
-  /** What the two ends of a rod and its surroundings do to its temperature. */
+  /** The temperatures and heat exchange of the ends and sides of a rod. */
   struct RodSurroundings
   {
     double fixed_end;        ///< $\theta_A$

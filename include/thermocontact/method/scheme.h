@@ -9,7 +9,7 @@
 
 namespace ThermoContact
 {
-  /** What integrates in time, make_integrator(). */
+  /** Kinds of integrators in time, make_integrator(). */
   enum class IntegratorKind
   {
     dirk,              ///< the stages of a Butcher tableau
@@ -29,7 +29,7 @@ namespace ThermoContact
     IntegratorKind integrator = IntegratorKind::dirk;
 
     std::string  name; ///< value of Time/Scheme
-    std::string  text; ///< what it is, for the parameter reference
+    std::string  text; ///< its meaning, for the parameter reference
     unsigned int order = 1;
 
     /** Systems to solve in a step. */

@@ -68,7 +68,7 @@ namespace ThermoContact
 
 
   /**
-   * What smoothers correct on its own in the displacements of a level,
+   * The subspaces that smoothers correct in the displacements of a level,
    * doc/discretisation.md section 8: each component along each line of nodes in
    * its direction, and flows without dilatation, the curls of products of
    * splines.
@@ -87,7 +87,7 @@ namespace ThermoContact
     /**
      * @param material borrowed
      * @param prototype of vectors of the level
-     * @param values what its local part has
+     * @param values of its local part
      */
     LevelSubspaces(const LevelGrid<dim>               &grid,
                    const Material                     &material,
@@ -164,7 +164,7 @@ namespace ThermoContact
                     const double                       stiffness);
 
     /**
-     * Those that depend on what has changed. Collective.
+     * Makes the parts that depend on the diagonal anew. Collective.
      *
      * @param rest of the diagonal: mass and springs, at most
      *   Tolerances::stiffest_spring, where values are held and become 0

@@ -21,7 +21,7 @@ namespace ThermoContact
   public:
     /**
      * @param coarse its vectors have the components of a node together
-     * @param fine what the local part of a vector of the finer level has
+     * @param fine values of the local part of a vector of the finer level
      */
     void
     reinit(const LevelGrid<dim>               &coarse,

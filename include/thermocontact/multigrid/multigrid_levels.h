@@ -15,7 +15,7 @@
 
 namespace ThermoContact
 {
-  /** What a level knows of one field whatever the length of a stage. */
+  /** One field on a level, the same for all lengths of a stage. */
   template <int dim, typename Number>
   struct LevelField
   {
@@ -38,7 +38,7 @@ namespace ThermoContact
      */
     LevelVector<Number> exchange;
 
-    /** What a V-cycle works with, of one stage length after the other. */
+    /** Vectors of V-cycles, of one stage length after the other. */
     mutable LevelVector<Number> right;
     mutable LevelVector<Number> solution;
     mutable LevelVector<Number> residual;
@@ -121,8 +121,8 @@ namespace ThermoContact
     std::unique_ptr<const LevelMatrix<dim, double>> coarse_matrix_;
 
     /**
-     * @param grid that of the level
-     * @param values what the local part of a vector has
+     * @param grid of the level
+     * @param values of the local part of a vector
      */
     void
     make_field(const LevelOperator<Number>        &products,

@@ -59,7 +59,7 @@ namespace ThermoContact
       return levels.products(level).make_vector(field);
     }
 
-    /** Those of displacements, not yet made. */
+    /** The factors of displacements, not yet made. */
     std::optional<SubspaceFactors<dim, Number>>
     subspace_factors() const;
 

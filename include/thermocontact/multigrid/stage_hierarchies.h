@@ -45,7 +45,7 @@ namespace ThermoContact
       std::vector<double> last_contact;
     };
 
-    /** Makes those of a stage length current. */
+    /** Makes the hierarchy of a stage length current. */
     void
     provide(const double tau);
 
@@ -74,8 +74,8 @@ namespace ThermoContact
     }
 
     /**
-     * What has been made so far: preconditioners of stage lengths and, for sets
-     * of contact nodes, their coarsest levels.
+     * All made so far: preconditioners of stage lengths and, for sets of
+     * contact nodes, their coarsest levels.
      */
     unsigned int
     n_made() const override
@@ -89,7 +89,7 @@ namespace ThermoContact
       return hierarchies.front();
     }
 
-    /** Those that are there, the current one in front. */
+    /** All hierarchies, the current one in front. */
     const std::list<Hierarchy> &
     all() const
     {

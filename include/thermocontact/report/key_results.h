@@ -43,8 +43,8 @@ namespace ThermoContact
 
   /**
    * The same, but with the largest force and penetration between step ends as
-   * far as the step ends tell, (D9.2): what changes with the accuracy of a run
-   * without the luck of where steps end.
+   * far as the step ends tell, (D9.2): results that change with the accuracy of
+   * a run, but not with the places where steps end.
    */
   KeyResults
   smooth_key_results(const Scene &scene, const RunHistory &history);

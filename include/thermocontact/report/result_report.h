@@ -27,7 +27,7 @@ namespace ThermoContact
                 const std::optional<FirstImpact> &impact,
                 const RunHistory                 &history);
 
-  /** All warnings of a run that has ended: those of its steps come last. */
+  /** All warnings of a run that has ended; warnings of its steps come last. */
   std::vector<std::string>
   run_warnings(const Scene                      &scene,
                const std::optional<FirstImpact> &impact,

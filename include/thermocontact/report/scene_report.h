@@ -28,8 +28,8 @@ namespace ThermoContact
   describe_steady_state(const SteadyState &state, const Scene &scene);
 
   /**
-   * Prints what is going to be computed, what that takes and what is known of
-   * the result, before anything is set up. Collective.
+   * Prints the scene, its cost and the forecasts, before anything is set up.
+   * Collective.
    *
    * @param loads that steps follow
    * @param assignments of the file: in SI units expressions are shown as they
@@ -45,7 +45,7 @@ namespace ThermoContact
                Log                           &log);
 
   /**
-   * Prints what set-up adds to that, and the warnings so far.
+   * Prints the results of set-up, and the warnings so far.
    *
    * @param seconds since the start of the program, printed of a body
    */

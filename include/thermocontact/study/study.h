@@ -32,8 +32,8 @@ namespace ThermoContact
 
 
   /**
-   * What the runs that have no row in @p table yet take of the memory of the
-   * machine whose ranks have the least: each rank there has one under way, the
+   * The memory that runs without a row in @p table take on the machine whose
+   * ranks have the least: each rank there has one under way, the
    * largest ones at the same time if it comes to the worst; or the reference,
    * alone. With a warning if that is more than there is. Collective on
    * MPI_COMM_WORLD; the table of rank 0 counts.
@@ -58,7 +58,8 @@ namespace ThermoContact
 
 
   /**
-   * What `--check` says of a study: its runs, their steps altogether, and that
+   * The text of `--check` on a study: its runs, their steps altogether, and
+   * that
    * each can be run. All ranks have read the rows of @p table, whose runs take
    * no memory any more.
    *
