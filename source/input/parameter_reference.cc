@@ -34,7 +34,10 @@ namespace ThermoContact
     std::string
     allowed_values(const DeclaredEntry &entry)
     {
-      const std::string words = describe_allowed(entry);
+      const std::string words =
+        dealii::Utilities::replace_in_string(describe_allowed(entry),
+                                             "a number from ",
+                                             "");
       if (words.find(" | ") == std::string::npos)
         return escape(words);
       std::string list;
