@@ -104,9 +104,9 @@ else:
     snapshots = list(directory.glob("fields/fields-*.vtu"))
     counts = [int(n) for n in re.findall(r"(\d+) (?:steps|rows|snapshots)", expected[1])]
     run = Run(directory)
-    times = run.contact["time"]
-    is_due = due(times, run.settings.number("Output/Fields interval"), times[-1])
-    n_more = int(sum(with_first_contact(is_due, times, run.events)) - sum(is_due))
+    is_due = due(run.contact["time"], run.settings.number("Output/Fields interval"),
+                 run.contact["time"][-1])
+    n_more = int(sum(with_first_contact(is_due, run.contact, run.events)) - sum(is_due))
     print("steps, rows, snapshots:", verdict(counts == [steps, len(rows)] + [
         len(snapshots) - n_more] * bool(snapshots), counts), end="")
     sizes = zip(re.findall(r"about (\S+ \w+)", expected[1]),

@@ -133,6 +133,15 @@ def check_memory_of_study():
             f"Solver/Linear solver={solver}", "Contact/Massless nodes=on", "Time/Step size=0.1")))
         told = float(re.search(r"memory +about ([\d.]+) GB", screen)[1])
         print(f"memory of a block, {solver}:", abs(told / true - 1) < 0.03 or (told, true))
+    # a rigid obstacle, and no inertia: factors of an equilibrium beside those of the stages
+    for entry in ("Contact/Condition=rigid", "Model/Inertia=0", "Contact/Condition=power law"):
+        n = 3 * 201 * 101
+        true = 0.17 + 1e-9 * (1500 * n + 330 * n**1.22 * (1 if "law" in entry else 2))
+        _, screen = run(1, Path("not-made"), "--check", "study.prm", *program.settings((
+            "Dimension=2", "Mesh/Cells=100", "Mesh/Cells across=50", "Mesh/Degree=2",
+            "Solver/Linear solver=direct", "Time/Step size=0.1", entry)))
+        told = float(re.search(r"memory +about ([\d.]+) GB", screen)[1])
+        print(f"memory with {entry}:", abs(told / true - 1) < 0.06 or (told, true))
     seconds = []  # of a block by the iterative solver: a hundred times as many steps
     for end in (1, 100):
         _, screen = run(1, Path("not-made"), "--check", "study.prm", *program.settings((

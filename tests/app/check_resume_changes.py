@@ -47,26 +47,66 @@ def refuse(reference, what, *options):
     print(message.rstrip())
 
 
-def numbers_not_refused(reference):
-    """Numbers of used.prm that --resume lets change, each alone; end time and intervals
-    may change."""
-    accepted, section, n_refused = [], "", 0
+MAY_CHANGE = ("Title", "Time/End time", "Output/Directory", "Output/Fields interval",
+              "Output/Contact interval", "Output/Space-time interval",
+              "Output/Checkpoint interval", "Output/Error bars")
+
+
+def words_of_entries():
+    """The words that each entry allows, by its path, of those that allow words alone."""
+    page = program.run("--print-parameters=markdown")[1]
+    section, words = "", {}
+    for line in page.splitlines():
+        if line.startswith("## "):
+            section = line[3:] + "/"
+        elif match := re.match(r"\| `([^`]+)` \| [^|]* \| ((?:`[^`]+`(?:, )?)+) \|", line):
+            words[section + match[1]] = re.findall("`([^`]+)`", match[2])
+    return words
+
+
+def others(path, value, words):
+    """Other values of an entry that a scene could have."""
+    if path in words:
+        return [word for word in words[path] if word != value]
+    if path == "Boundary/left/Displacement":
+        return ["0.1*t"]  # it begins at zero
+    if path == "Output/Probes":
+        return ["0.25"]
+    if path == "Time/Break points":
+        return ["0.5"]
+    try:
+        number = float(value)
+    except ValueError:
+        return ["1"] if value in ("none", "automatic", "infinity") else [f"{value}+0.01*x*(1-x)"]
+    return [f"{number + 1:.0f}" if number == int(number) else f"{1.01 * number!r}"]
+
+
+def not_refused(reference):
+    """Entries of used.prm that --resume lets change, each alone, but for MAY_CHANGE; and those
+    that are refused for another reason than the checkpoint whatever the value."""
+    accepted, elsewhere, section, n_refused, words = [], [], "", 0, words_of_entries()
     for line in (reference / "used.prm").read_text().splitlines():
         if match := re.match(r"subsection (.*)", line):
-            section = match[1]
-        elif match := re.match(r" *set (.*?) *= *(-?[\d.]+(?:e-?\d+)?)$", line):
-            path, value = f"{section}/{match[1]}", float(match[2])
-            if path in ("/Dimension", "Time/End time") or "interval" in path:
+            section = match[1] + "/"
+        elif line == "end":
+            section = ""
+        elif match := re.match(r" *set (.*?) *= ?(.*?)(?: # .*)?$", line):
+            path, messages = section + match[1], []
+            if path in MAY_CHANGE or path.startswith("Study/"):
                 continue
-            other = f"{value + 1:.0f}" if value == int(value) else f"{1.01 * value!r}"
-            if path == "Boundary/left/Displacement":
-                other = "0.1*t"  # it begins at zero
-            status, message = run(reference, "scene.prm", "--resume", "--set",
-                                  f"{path}={other}")
-            n_refused += status == 2
-            if status != 2 or f"{path} = {other}: the checkpoint has" not in message:
-                accepted.append(f"{path}={other}: {status}, {message}")
-    return ", ".join(accepted) or ("none" if n_refused >= 10 else f"{n_refused} asked")
+            for other in others(path, match[2], words):
+                status, message = run(reference, "scene.prm", "--resume", "--set",
+                                      f"{path}={other}")
+                if status != 2:
+                    accepted.append(f"{path}={other}: {status}, {message}")
+                messages.append(message)
+            if any(f"{path} = " in message and ": the checkpoint has" in message
+                   for message in messages):
+                n_refused += 1
+            else:
+                elsewhere.append(path)
+    return (", ".join(accepted) or ("none" if n_refused >= 30 else f"{n_refused} asked")) + (
+        "; for another reason: " + (", ".join(elsewhere) or "none"))
 
 
 def rows(directory):
@@ -80,8 +120,8 @@ def extend(reference, prm):
     status, _ = run(longer, prm, "--set", "Time/End time=1.5")
     resumed = Path("resumed")
     shutil.copytree(reference, resumed)
-    for i in (5, 6):  # as if the run had been killed later, with more of them
-        shutil.copy(resumed / "fields/fields-00004.vtu",
+    for i in (6, 7):  # as if the run had been killed later, with more of them
+        shutil.copy(resumed / "fields/fields-00005.vtu",
                     resumed / f"fields/fields-0000{i}.vtu")
     again, _ = run(resumed, prm, "--resume", "--set", "Time/End time=1.5",
                    "--set", "Output/Fields interval=0.5",
@@ -245,7 +285,7 @@ def main():
            "--set", "Time/End time=0.5")
     refuse(reference, "study", "scene.prm",
            "--set", "Study/Vary=Mesh/Cells = 4 | 8")
-    print("other numbers that are not refused:", numbers_not_refused(reference))
+    print("other values that are not refused:", not_refused(reference))
     status, message = run(Path("nowhere"), "scene.prm", "--resume")
     print(f"no checkpoint: status {status}, directory",
           int(Path("nowhere").exists()))

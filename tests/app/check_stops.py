@@ -48,8 +48,10 @@ def table(path):
 
 def chosen_steps(reference, n_steps):
     """After which the run is to be stopped."""
-    times = [float(row["time"]) for row in table(reference / "contact.csv")]
-    chosen = {5, round(0.6 * n_steps), n_steps - 2}
+    rows = table(reference / "contact.csv")
+    times = [float(row["time"]) for row in rows]
+    peak = max(range(len(rows)), key=lambda i: abs(float(rows[i]["contact_force"])))
+    chosen = {5, round(0.6 * n_steps), n_steps - 2, peak - 1, peak}
     events = table(reference / "events.csv")
     for event in [*events[:2], *events[-2:]]:
         chosen |= {next((step for step, time in enumerate(times)
@@ -58,13 +60,15 @@ def chosen_steps(reference, n_steps):
     for warning in re.findall(r"\bstep (\d+),", " ".join(summary["warnings"])):
         chosen |= {int(warning) - 1, int(warning)}
     if (reference / "steps.csv").exists():
-        step, before_rejections = 0, []
+        step, before_rejections, jumps = 0, [], []
         for attempt in table(reference / "steps.csv"):
             step += attempt["accepted"] == "1"
+            jumps += [step] * (attempt["reason"] == "load")
             if attempt["accepted"] == "0" and step > 5:
                 before_rejections.append(step)
         for step in before_rejections[:1] + before_rejections[-1:]:
             chosen |= {step, step + 1}
+        chosen |= {*jumps[:1], *jumps[-1:]}
     return sorted(step for step in chosen if 5 <= step < n_steps - 1)
 
 

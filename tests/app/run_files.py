@@ -177,11 +177,16 @@ def due(times, interval, end_time):
     return is_due | (numpy.asarray(times) >= end_time)
 
 
-def with_first_contact(is_due, times, events):
-    """The same, with the first of the times at or after the first event."""
-    is_shown = numpy.array(is_due)
-    if len(events):
-        is_shown[numpy.searchsorted(times, events["time"][0] - 1e-9 * times[-1])] = True
+def with_first_contact(is_due, contact, events):
+    """The same, with the row of the first contact: the first one in contact, or, of a contact
+    that is over at its end, the row at or after the event; the end of a step may miss it, by
+    less than a hundredth of the next step."""
+    is_shown, times = numpy.array(is_due), contact["time"]
+    if len(events["time"]):
+        row = int(numpy.searchsorted(times, events["time"][0]))
+        row = min(row, len(times) - 1)
+        row -= row > 0 and events["time"][0] - times[row - 1] < 0.01 * (times[row] - times[row - 1])
+        is_shown[min([row, *numpy.flatnonzero(contact["in_contact"])[:1]])] = True
     return is_shown
 
 

@@ -30,9 +30,9 @@ except ImportError as error:
 
 
 def defect(t):
-    """E(0) + work + algebraic - E - dissipation - numerical dissipation, (D4.1)."""
+    """E(0) + work + algebraic - E - all dissipations, (D4.1)."""
     return (t["energy"][0] + t["work"] + t.get("algebraic", 0.) - t["energy"] -
-            t["dissipation"] - t["numerical_dissipation"])
+            t["dissipation"] - t["numerical_dissipation"] - t.get("contact_dissipation", 0.))
 
 
 # The label of an axis, and the column that it names or what follows from some.
@@ -51,6 +51,8 @@ CURVES = {
     r"energy  $\hat{E}$": "energy",
     "work": "work", "dissipation": "dissipation",
     "numerical dissipation": "numerical_dissipation",
+    "dissipation by the obstacle": "contact_dissipation",
+    "largest pressure  $p$": "max_pressure", "area in contact / area": "contact_area",
     "defect of the balance": defect,
 }
 FIELDS = {r"temperature  $\theta$": "temperature",
@@ -149,6 +151,48 @@ def check_other_tables(plot):
     check("probes", len(panels) == 4 and len(shown) == 8 and all(shown), str(legend))
 
 
+def check_end_time(plot):
+    """Rows up to there in every picture, and contact that goes on cut off there."""
+    end, figures = 0.3, drawings.figures_of(plot, "controlled", "--end-time", "0.3")
+    rows = table("controlled/contact.csv")
+    rows = {name: values[rows["time"] <= end] for name, values in rows.items()}
+    for picture in ("figure", "contact", "energy"):
+        faults = faults_of(figures[picture], {"": rows})
+        check(f"end time: curves of {picture}", not faults, "; ".join(faults))
+        panels, _ = drawings.panels_of(figures[picture])
+        shaded = panels[0].patches[0]
+        x = shaded.get_patch_transform().transform(shaded.get_path().vertices)[:, 0]
+        check(f"end time: shaded in {picture}", numpy.allclose(
+            [min(x), max(x)], [table("controlled/events.csv")["time"][0], rows["time"][-1]],
+            rtol=1e-12, atol=0), f"{min(x)} {max(x)}")
+    for picture in ("probes", "steps"):
+        panels, _ = drawings.panels_of(figures[picture])
+        times = [time for panel in panels for line in panel.lines if len(line.get_xdata()) > 2
+                 for time in line.get_xdata()]
+        table_of = table(f"controlled/{picture}.csv")["time"]
+        check(f"end time: {picture}", max(times) == max(table_of[table_of <= end]), str(max(times)))
+
+
+def check_strip(plot):
+    """A strip by the iterative solver on a damped obstacle: all terms of the balance and the
+    contact of its face; the run has failed, as the legend beside another one says."""
+    rows = table("strip/contact.csv")
+    figures = drawings.figures_of(plot, "strip")
+    for picture, n_panels in (("contact", 5), ("energy", 5)):  # no work is done
+        faults = faults_of(figures[picture], {"": rows})
+        panels, _ = drawings.panels_of(figures[picture])
+        check(f"strip: curves of {picture}", not faults and len(panels) == n_panels,
+              "; ".join(faults) + str([panel.get_ylabel() for panel in panels]))
+    check("strip: terms", max(abs(rows["algebraic"])) > 0 and rows["contact_dissipation"][-1] > 0)
+    summary = json.loads(Path("strip/summary.json").read_text())
+    summary["status"] = "failed: no step"
+    Path("strip/summary.json").write_text(json.dumps(summary))
+    _, legend = drawings.panels_of(drawings.figures_of(plot, "strip", "controlled")["contact"])
+    end = f"{rows['time'][-1]:.4g}"
+    check("strip: failed", any(f" (failed: no step, $t$ = {end})" in text
+                               for text in legend.values()), str(legend))
+
+
 def check_two_obstacles(plot):
     """Lines at u(1) = 0.1 and -0.07, the gaps of the scene, and both in the legend."""
     figures = drawings.figures_of(plot, "between")
@@ -162,15 +206,20 @@ def check_two_obstacles(plot):
 
 def check_prefixes(plot):
     """Of the largest value in SI units, from 1 to 1000: those of the columns; a tick at y
-    says y in the unit of its label. The gap is 0.5 mm in the legend."""
-    rows = table("steel/contact.csv")
+    says y in the unit of its label, of the probes too. The gap is 0.5 mm in the legend."""
+    rows, probes = table("steel/contact.csv"), table("steel/probes.csv")
+    rows.update({field: numpy.concatenate([probes[f"{field}_{i}"] for i in (1, 2)])
+                 for field in FIELDS.values()})
     figures = drawings.figures_of(plot, "steel")
     for picture, label, column, unit in (
             ("contact", "gap  $g - u(L, t)$", "gap", "m"),
             ("contact", "contact force  $F(t)$", "contact_force", "N"),
             ("figure", r"stress  $\sigma(L, t)$", "stress_end", "Pa"),
             ("figure", r"temperature  $\theta(L, t)$", "temperature_end", "°C"),
-            ("energy", r"energy  $\hat{E}$", "energy", "J")):
+            ("energy", r"energy  $\hat{E}$", "energy", "J"),
+            ("probes", r"displacement  $u$", "displacement", "m"),
+            ("probes", r"stress  $\sigma$", "stress", "Pa"),
+            ("probes", r"temperature  $\theta$", "temperature", "°C")):
         largest, sizes = max(abs(rows[column])), {"µ": 1e-6, "m": 1e-3, "": 1, "k": 1e3, "M": 1e6}
         prefix, size = next((prefix, size) for prefix, size in sizes.items()
                             if unit == "°C" or size <= largest < 1e3 * size)
@@ -185,6 +234,9 @@ def check_prefixes(plot):
             f"{prefix}{unit} {list(panels)}")
     _, legend = drawings.panels_of(figures["contact"])
     check("prefix of the gap", "obstacle, $g$ = 500 µm" in legend.values(), str(legend))
+    _, legend = drawings.panels_of(figures["probes"])
+    check("prefix of places", {"probe 1: $x$ = 250 mm", "probe 2: $x$ = 1 m"} <= set(
+        legend.values()), str(legend))
 
 
 def check_files(plot):
@@ -307,11 +359,18 @@ def main():
                  "Time/Tolerance=1e-4", "Output/Fields interval=0")
     drawings.run("between", "examples/two-stops.prm", "Time/End time=4", "Contact/Rear gap=0.07",
                  "Output/Fields interval=0")
-    drawings.run("steel", "units/steel-rod.prm", "Time/End time=36 h", "Output/Fields interval=0")
+    drawings.run("steel", "units/steel-rod.prm", "Time/End time=36 h", "Output/Fields interval=0",
+                 "Output/Probes=250 mm; 1 m")
+    drawings.run("strip", "examples/strip.prm", "Time/End time=0.4", "Output/Fields interval=0",
+                 "Mesh/Cells=8", "Mesh/Cells across=2", "Time/Scheme=sdirk4",
+                 "Time/Start=consistent", "Time/Step size=automatic", "Time/Tolerance=1e-3",
+                 "Solver/Linear solver=iterative", "Contact/Damping=0.5")
     plot = drawings.load("plot")
     check_figures(plot)
     check_prefixes(plot)
     check_other_tables(plot)
+    check_end_time(plot)
+    check_strip(plot)
     check_two_obstacles(plot)
     check_files(plot)
     check_report()

@@ -197,6 +197,14 @@ def check_frame(folder):
               for epsilon, gap in ((0.5, 0.1), (1, 0.05))]
     check("a study as a frame", frame.shape[0] == 2 and numpy.allclose(
         frame["max_contact_force"], forces, rtol=1e-5), list(frame["max_contact_force"]))
+    check("no units of a frame", frame.attrs["units"] == {}, frame.attrs)
+    frame = thermocontact.study({"Contact/Gap": ["0.4 mm", "0.5 mm"]},
+                                base=source / "prm/units/steel-rod.prm",
+                                entries={"Time/End time": "1 h"}, processes=1)
+    units = frame.attrs["units"]
+    check("units of a frame", list(frame["Contact/Gap"]) == [4e-4, 5e-4] and "dofs" not in units and [
+        units.get(name) for name in ("Contact/Gap", "max_contact_force", "first_contact_time",
+                                     "final_temperature_end")] == ["m", "N", "h", "°C"], units)
 
 
 def check_periods(folder):

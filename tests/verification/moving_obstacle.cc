@@ -32,6 +32,13 @@
 //    of the turn, that of p with g' there. eps = 1/10, c = 2, zeta = 1/20 or 0:
 //    velocity and force of that row by its displacement and gap, and the rate
 //    of the gap that its state has, to 1e-12.
+// 4. A rod at rest, b = 1, zeta = 0, meets a rigid obstacle that comes with V =
+//    1/100 from g = 1/200, at t = 1/2 with the velocity V, and is pressed with
+//    V until the obstacle turns at t = 1 and leaves with 3 V: the end, without
+//    force, stands still, so that contact ends there with -3 V. The scheme
+//    energy conserving, which does not locate events, has the times to a step,
+//    dt = 1/100, and no velocity at the end of contact, whose nodes have no
+//    mass; box has all to rounding.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -258,6 +265,41 @@ namespace
     if (!(error < 1e-12))
       deallog << error << std::endl;
   }
+
+
+
+  /** Part 4. */
+  void
+  check_retreat()
+  {
+    Simulation<1> simulation(
+      read_parameters("",
+                      {"Model/Fields=displacement",
+                       "Model/Viscosity=0",
+                       "Initial values/Velocity=0",
+                       "Contact/Condition=rigid",
+                       "Contact/Gap=0.005-0.01*min(t,1)+0.03*max(t-1,0)",
+                       "Mesh/Cells=100",
+                       "Mesh/Degree=1",
+                       "Time/Scheme=energy conserving",
+                       "Time/Step size=0.01",
+                       "Time/End time=1.5"}),
+      MPI_COMM_SELF);
+    simulation.run();
+    deallog << "obstacle leaves a rod at rest:";
+    for (const ContactEvent &event : simulation.events())
+      {
+        const bool begins = event.kind == ContactEvent::begin;
+        deallog << (begins ? " begins " : " ends ")
+                << noise_within(std::abs(event.time - (begins ? 0.5 : 1.)),
+                                0.0101)
+                << " with " << event.velocity;
+      }
+    deallog << ", force "
+            << within(std::abs(simulation.history().max_contact_force - 0.01),
+                      5e-3)
+            << std::endl;
+  }
 } // namespace
 
 
@@ -296,4 +338,5 @@ main_moving_obstacle()
     for (const Overrides &time :
          {Overrides{"Time/Tolerance=1e-6"}, Overrides{"Time/Step size=0.04"}})
       check_damped_turn(zeta, time);
+  check_retreat();
 }
