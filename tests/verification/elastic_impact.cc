@@ -232,7 +232,7 @@ namespace
             }
         deallog << "sdirk4, error control, degree " << degree
                 << ": energy at most 1.001 of the initial one "
-                << within(largest, 1.001) << ", 4 events " << (n_events == 4)
+                << within(largest, 1.001) << ", events " << n_events
                 << std::endl;
       }
   }

@@ -373,7 +373,7 @@ namespace
                               1.);
                  });
           deallog << "heated body: " << noise_within(error, 1e-12)
-                  << ", heat comes in " << (later < 0.01) << std::endl;
+                  << ", heat comes in to " << within(later, 0.01) << std::endl;
         }
   }
 

@@ -188,8 +188,9 @@ namespace
             << ", work is done " << (simulation.record().work != 0.)
             << ", audit closes within 1e-11 E(0) "
             << within(defect / initial, 1e-11)
-            << ", numerical dissipation of every step >= 0 "
-            << (smallest_dissipation > -1e-14 * initial) << std::endl;
+            << ", numerical dissipation of a step below 0 by "
+            << within(std::abs(smallest_dissipation) / initial, 1e-14)
+            << std::endl;
   }
 
 
