@@ -331,8 +331,19 @@ def peak_and_warnings(overrides):
     return summary["max_contact_force"], warnings
 
 
+LEFT_OUT = (r"the mesh leaves out about (\d+|\d\.\d+|0\.\d+) % of the {}, in the mean over the run; "
+            "peaks may be wrong by several times as much; remedy: {}")
+
+
 def check_mesh():
-    """What is wrong with the warnings of meshes."""
+    """What is wrong with the warnings of meshes; of heat in nine half waves on 16 nodes."""
+    heat = [line for line in warnings_of(
+        THERMAL + ("Model/Viscosity=0.2", "Mesh/Cells=8", "Mesh/Degree=2",
+         "Initial values/Temperature=theta_A+10*sin(9*pi*x)", "Time/Scheme=sdirk4",
+         "Time/Step size=automatic", "Time/End time=0.01"), Path("heat-mesh"), about_mesh=True)]
+    if len(heat) != 1 or not re.fullmatch(
+            LEFT_OUT.format("temperature", r"Mesh/Cells = \d+ or more"), heat[0]):
+        yield f"of heat: {heat}"
     (exact, no_warning), (peak, warning), (damped_exact, damped_none), (damped, none) = \
         for_all(peak_and_warnings, (THROWN + ("Mesh/Degree=24",), THROWN,
                                     DAMPED + ("Mesh/Degree=8",), DAMPED))
@@ -340,12 +351,12 @@ def check_mesh():
         yield f"warned of fine meshes: {no_warning + damped_none + none}"
     if abs(damped / damped_exact - 1) > 1e-3 or abs(peak / exact - 1) < 1e-2:
         yield f"peaks are {peak} of {exact}, {damped} of {damped_exact}"
-    named = re.search(r"remedy: (Mesh/Degree) = (\d+), or (Mesh/Cells) = (\d+) or more$",
-                      "".join(warning))
+    named = re.fullmatch(LEFT_OUT.format(
+        "strain", r"(Mesh/Degree) = (\d+), or (Mesh/Cells) = (\d+) or more"), "".join(warning))
     if named is None:
         yield f"no mesh is named: {warning}"
         return
-    for remedy in (f"{named[1]}={named[2]}", f"{named[3]}={named[4]}"):
+    for remedy in (f"{named[2]}={named[3]}", f"{named[4]}={named[5]}"):
         better, warning = peak_and_warnings(THROWN + (remedy,))
         if warning or abs(better / exact - 1) > 2e-3:
             yield f"with {remedy} {better} of {exact}, {warning}"
