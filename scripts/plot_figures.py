@@ -22,7 +22,7 @@ CONTACT = {"gap": r"gap  $g - u(1, t)$",
            "contact_impulse": r"impulse  $\int_0^t F$",
            "max_pressure": r"largest pressure  $p$",
            "contact_area": "area in contact / area"}
-ENERGY = {"energy": r"energy  $\hat{E}$", "work": "work",
+ENERGY = {"energy": "energy  $\\hat{E}$\n(no heat content)", "work": "work",
           "dissipation": "dissipation",
           "numerical_dissipation": "numerical dissipation",
           "contact_dissipation": "dissipation by the obstacle",
@@ -130,6 +130,11 @@ def draw_history(axes, column, label, runs):
         size = max(abs(u) for run in runs for u in run.data["displacement_end"] if math.isfinite(u))
         if max(abs(gap) for gap in values if math.isfinite(gap)) < 1e-12 * size:
             values = [size]
+            axes.set_ylim(-size, size)
+    if column == "defect":  # what sums of energies round to is shown as nothing
+        size = 1e-9 * max(abs(e) for run in runs for e in run.data["energy"] if math.isfinite(e))
+        if max(abs(value) for value in values if math.isfinite(value)) < 1e-3 * size:
+            label, values = f"{label}\n(rounding)", [size]
             axes.set_ylim(-size, size)
     label_axis(axes.yaxis, label, runs[0].units.get(column), values)
     if column == "displacement_end":

@@ -48,12 +48,12 @@ CURVES = {
     "gap  $g - u(1, t)$": "gap",
     "contact force  $F(t)$": "contact_force",
     r"impulse  $\int_0^t F$": "contact_impulse",
-    r"energy  $\hat{E}$": "energy",
+    "energy  $\\hat{E}$\n(no heat content)": "energy",
     "work": "work", "dissipation": "dissipation",
     "numerical dissipation": "numerical_dissipation",
     "dissipation by the obstacle": "contact_dissipation",
     "largest pressure  $p$": "max_pressure", "area in contact / area": "contact_area",
-    "defect of the balance": defect,
+    "defect of the balance": defect, "defect of the balance\n(rounding)": defect,
 }
 FIELDS = {r"temperature  $\theta$": "temperature",
           r"displacement  $u$": "displacement",
@@ -216,7 +216,7 @@ def check_prefixes(plot):
             ("contact", "contact force  $F(t)$", "contact_force", "N"),
             ("figure", r"stress  $\sigma(L, t)$", "stress_end", "Pa"),
             ("figure", r"temperature  $\theta(L, t)$", "temperature_end", "°C"),
-            ("energy", r"energy  $\hat{E}$", "energy", "J"),
+            ("energy", "energy  $\\hat{E}$\n(no heat content)", "energy", "J"),
             ("probes", r"displacement  $u$", "displacement", "m"),
             ("probes", r"stress  $\sigma$", "stress", "Pa"),
             ("probes", r"temperature  $\theta$", "temperature", "°C")):
