@@ -59,8 +59,8 @@ namespace
   {
     const SchemeChoice choice = choose_scheme(read_parameters("", overrides));
     const Parameters  &chosen = choice.parameters;
-    deallog << name << ": " << chosen.time.scheme << ", " << chosen.mesh.cells
-            << " cells of degree " << chosen.mesh.degree
+    deallog << name << ": " << chosen.time.scheme << ", degree "
+            << chosen.mesh.degree << ", " << chosen.mesh.cells << " cells"
             << (choice.has_unresolved_fronts ? ", fronts unresolved" : "")
             << std::endl;
     const SchemeChoice again = choose_scheme(chosen);

@@ -96,9 +96,8 @@ namespace
             raise(drift, start.linfty_norm());
             start += state.temperature;
           }});
-          deallog << name << ", " << scheme << ", " << solver
-                  << ": velocities in parts of their bound "
-                  << noise_within(worst, 1.);
+          deallog << name << ", " << scheme << ", " << solver << ": velocities "
+                  << noise_within(worst, 1.) << " of their bound";
           if (end_velocity == 0.)
             deallog << ", theta " << within(drift, 1e-9);
           deallog << std::endl;
