@@ -3,9 +3,8 @@
 #ifndef thermocontact_matched_spaces_h
 #define thermocontact_matched_spaces_h
 
+#include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/space/discretization.h>
-
-#include <deal.II/dofs/dof_tools.h>
 
 #include <array>
 #include <cmath>
@@ -82,10 +81,8 @@ namespace ThermoContact
     find_places(const Discretization<dim> &space)
     {
       const DoFHandler<dim> &handler = space.dof_handler();
-      std::map<types::global_dof_index, Point<dim>> points;
-      // of all ranks, here one: the vector is for meshes of one rank alone
-      DoFTools::map_dofs_to_support_points(space.mapping(), handler, points);
-      Places                               places;
+      const auto             points  = support_points(space.mapping(), handler);
+      Places                 places;
       std::vector<types::global_dof_index> dofs(
         handler.get_fe().n_dofs_per_cell());
       for (const auto &cell : handler.active_cell_iterators())

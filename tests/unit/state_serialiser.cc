@@ -13,14 +13,12 @@
 // along each direction with n cells. A part of another mesh is refused, or too
 // few of its nodes are found.
 
+#include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/space/state_serialiser.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <cmath>
-#include <map>
 
 #include "../tests.h"
 
@@ -43,10 +41,7 @@ namespace
                  State                     &state,
                  const Visit               &visit)
   {
-    std::map<types::global_dof_index, Point<dim>> points;
-    DoFTools::map_dofs_to_support_points(space.mapping(),
-                                         space.dof_handler(),
-                                         points);
+    const auto points = support_points(space.mapping(), space.dof_handler());
     const FiniteElement<dim>            &fe = space.finite_element();
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     for (const auto &cell : space.dof_handler().active_cell_iterators())
@@ -66,7 +61,7 @@ namespace
               continue;
             Point<3> point;
             for (unsigned int d = 0; d < dim; ++d)
-              point[d] = points[dofs[i]][d];
+              point[d] = points.at(dofs[i])[d];
             const auto   entry = owned.index_within_set(dof);
             const double u =
               (c - space.first_component(Field::displacement) + 2.) *

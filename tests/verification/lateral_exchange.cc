@@ -16,12 +16,10 @@
 //    separately; forecast to 1e-10, the second unstable; runs from 0.02 below
 //    and above its c reach the first and the third: theta(1) to 1e-6.
 
+#include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/forecast/forecast.h>
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <array>
-#include <map>
 
 #include "../tests.h"
 
@@ -73,12 +71,9 @@ namespace
     Simulation<1> simulation(parameters, MPI_COMM_SELF);
     simulation.run({[](const Simulation<1> &) {}});
 
-    std::map<types::global_dof_index, Point<1>> points;
-    DoFTools::map_dofs_to_support_points(
-      simulation.discretization().mapping(),
-      simulation.discretization().dof_handler(),
-      points);
-    double nodes = 0.;
+    const Discretization<1> &space = simulation.discretization();
+    const auto points = support_points(space.mapping(), space.dof_handler());
+    double     nodes  = 0.;
     for (const auto &[dof, point] : points)
       raise(nodes,
             std::abs(simulation.state().temperature[dof] -

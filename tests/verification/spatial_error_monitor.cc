@@ -23,15 +23,13 @@
 //    601 to 610 of a contact: of these step 608 is looked at, for 8 steps, so
 //    that the mean of the squares is 0.992 + 0.008 * 1e4.
 
+#include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <functional>
-#include <map>
 
 #include "../tests.h"
 
@@ -62,10 +60,7 @@ namespace
       , monitor(scene, space)
       , state(space.make_state())
     {
-      std::map<unsigned int, Point<1>> points;
-      DoFTools::map_dofs_to_support_points(space.mapping(),
-                                           space.dof_handler(),
-                                           points);
+      const auto points = support_points(space.mapping(), space.dof_handler());
       const unsigned int n = space.n_temperature_dofs();
       for (const auto &[dof, point] : points)
         (dof < n ? state.temperature[dof] : state.displacement[dof - n]) =

@@ -50,9 +50,9 @@ namespace ThermoContact
               const Value        value,
               const unsigned int digits = all_digits)
       : name(std::move(name))
-      , append([value, digits](const Record     &record,
-                               const Conversion *conversion,
-                               std::string      &row) {
+      , append([=](const Record     &record,
+                   const Conversion *conversion,
+                   std::string      &row) {
         const auto &field = std::invoke(value, record);
         using Field       = std::decay_t<decltype(field)>;
         if constexpr (std::is_floating_point<Field>::value)

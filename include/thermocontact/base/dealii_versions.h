@@ -6,9 +6,17 @@
 #include <deal.II/base/config.h>
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/point.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/mapping.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <map>
 
 /**
  * @file
@@ -67,6 +75,23 @@ namespace ThermoContact
       row_columns);
     for (int i = 0; i < n_entries; ++i)
       read(entries.ColMap().GID64(row_columns[i]), row_values[i]);
+#endif
+  }
+
+
+
+  /** The nodes of the degrees of freedom of this process's cells. */
+  template <int dim>
+  std::map<dealii::types::global_dof_index, dealii::Point<dim>>
+  support_points(const dealii::Mapping<dim>    &mapping,
+                 const dealii::DoFHandler<dim> &dof_handler)
+  {
+#if DEAL_II_VERSION_GTE(9, 5, 0)
+    return dealii::DoFTools::map_dofs_to_support_points(mapping, dof_handler);
+#else
+    std::map<dealii::types::global_dof_index, dealii::Point<dim>> points;
+    dealii::DoFTools::map_dofs_to_support_points(mapping, dof_handler, points);
+    return points;
 #endif
   }
 } // namespace ThermoContact
