@@ -85,11 +85,6 @@ namespace ThermoContact
                  "a positive number",
                  "for a rigid obstacle set Contact/Condition = rigid");
       const double gap = scene.contact.gap, rear_gap = scene.contact.rear_gap;
-      if (!(rear_gap > 0.))
-        refuse("Contact/Rear gap",
-               rear_gap,
-               "none, or g_2 > 0",
-               "Contact/Rear gap = none for one stop");
       if (gap + rear_gap <= 0.)
         refuse("Contact/Rear gap",
                rear_gap,

@@ -106,11 +106,10 @@ def sign(scene):
 
 
 def mirror(scene):
-    if not moves(scene) or "Contact/Rear gap" not in scene and scene.get(
-            "Contact/Condition") != "none" or re.search("[ty]", scene.get("Contact/Gap", "")):
+    if not moves(scene) or re.search("[ty]", scene.get("Contact/Gap", "")):
         return None  # an obstacle behind the end rests and is flat
-    gaps = {} if "Contact/Rear gap" not in scene else {
-        "Contact/Gap": scene["Contact/Rear gap"], "Contact/Rear gap": scene["Contact/Gap"]}
+    gaps = {} if "Contact/Gap" not in scene else {
+        "Contact/Gap": scene.get("Contact/Rear gap", "9"), "Contact/Rear gap": scene["Contact/Gap"]}
     return scene | times(-1, scene, MECHANICAL) | negated_coupling(scene) | gaps, \
         dict.fromkeys(LENGTHS, -1.)
 

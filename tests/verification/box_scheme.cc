@@ -29,6 +29,7 @@
 //    least.
 // 4. A rod that is heated by its motion, a = 0.5, and b = 1, rigid: the energy
 //    balance E + D closes to 1e-12 of the first energy.
+// 5. The mirror image of each run is the run, but for rounding.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -37,9 +38,7 @@
 #include <cmath>
 #include <string>
 
-#include "../tests.h"
-
-#include "../overrides.h"
+#include "../mirror_image.h"
 
 using namespace ThermoContact;
 
@@ -123,6 +122,10 @@ namespace
 
 
 
+  MirrorImages images;
+
+
+
   struct Result
   {
     double       error      = 0.; ///< of u(1)
@@ -177,7 +180,7 @@ namespace
               first);
       last = r.energy;
     };
-    simulation.run({observe});
+    images.run(simulation, {observe});
     result.n_warnings = simulation.history().warnings.size();
     return result;
   }
@@ -221,4 +224,5 @@ main_box_scheme()
   const Result heated = run(200, 1., 0., 1., 0.5);
   deallog << "heated by its motion: balance closes "
           << within(heated.imbalance, 1e-12) << std::endl;
+  deallog << images.words(1e-12) << std::endl;
 }

@@ -25,12 +25,14 @@
 //      gap -0.05: in contact at t = 0, where contact begins with the velocity
 //      u_1(1) = 0; at the end in contact, as all scenes with g < G = 0.1275,
 //      where u(1) tends to G - (G - g)/(1 + eps) > g;
+//      gap -0.05 and the velocity x: contact begins with 1;
 //      gap 0.05 and 0, at rest: the heat alone pushes;
 //      gap = top (1 + r), top the largest u(1) without an obstacle, found on
 //      the cubic Hermite interpolant between step ends of tolerance 1e-9: no
 //      contact for r = 1e-5; contact for r = -1e-5, for a time of 2 sqrt(2e-5
 //      top / |u_tt(1)|) to 5 %; one contact or none for r = 0 and +-2e-7, where
 //      the tolerance decides.
+//    The mirror image of each start is the run, but for rounding.
 // 4. Tolerance 0.1: steps have the largest size that is allowed, 1/64, but for
 //    a quarter of it, 1/256, after a begin, and half of it after an end.
 // 5. Runs that end d = 1e-4 before or behind the first begin t_1 or end t_2 of
@@ -46,6 +48,7 @@
 #include "../tests.h"
 
 #include "../history.h"
+#include "../mirror_image.h"
 
 using namespace ThermoContact;
 
@@ -165,8 +168,11 @@ namespace
     unsigned int  n_with_tiny = 0;
     const bool    pass        = passes(parameters, n_with_tiny);
     const History history     = run(parameters, 1e-6);
-    deallog << name << ": passes " << pass;
-    deallog << ", in contact at the end " << (history.events.size() % 2 == 1)
+    MirrorImages  images;
+    Simulation<1> simulation(parameters, MPI_COMM_SELF);
+    images.run(simulation);
+    deallog << name << ": passes " << pass << ", in contact at the end "
+            << (history.events.size() % 2 == 1) << ", " << images.words(1e-12)
             << std::endl;
   }
 
@@ -306,6 +312,9 @@ main_contact_events()
   const ContactEvent first = run(closed, 1e-6).events.at(0);
   deallog << "  begins at t = 0 " << (first.time == 0.) << ", with velocity 0 "
           << within(std::abs(first.velocity), 1e-12) << std::endl;
+  Parameters thrown              = closed;
+  thrown.initial_values.velocity = "x";
+  test_start("closed and thrown", thrown);
   for (const double gap : {0.05, 0.})
     {
       Parameters parameters              = scene(1, gap);
