@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/number_text.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/load_enclosure.h>
@@ -33,10 +34,17 @@ namespace ThermoContact
     constexpr unsigned int degree_of_fronts = 8;
 
     /**
-     * Lengths that the contact node stands for in the layer of an impact from
-     * which on the peak force is right to some 1e-4, measured.
+     * Lengths that the contact node stands for in the layer of an impact with
+     * which the mesh is as right about the peak force as steps of the default
+     * tolerance, to some 1e-6, measured.
      */
-    constexpr double nodes_of_layer = 6.;
+    constexpr double nodes_of_layer = 10.5;
+
+    /**
+     * Nodes in the compliance of an obstacle with which that is so where its
+     * node has no mass and little viscosity, measured.
+     */
+    constexpr double nodes_of_compliance = 16.;
 
     /** Distance of the nodes of a mesh whose cells and degree are automatic. */
     constexpr double spacing_by_default =
@@ -303,31 +311,10 @@ namespace ThermoContact
 
 
 
-    /**
-     * True if fronts pass through the body that are sharper than a mesh with
-     * nodes @p spacing apart resolves.
-     */
+    /** Whether initial values, a traction or the fixed end make fronts. */
     bool
-    has_sharp_fronts(const Parameters &parameters, const double spacing)
+    has_jumps(const Parameters &parameters)
     {
-      const double resolved = Tolerances::nodes_of_front * spacing;
-      if (length_of_diffusion(parameters.model) >= resolved)
-        return false;
-      const auto law =
-        contact_law(parameters.contact.condition).make(parameters.contact.law);
-      if (law->is_active())
-        {
-          if (!law->is_linear())
-            return true;
-          // the wave of a mass on the end that swings on the obstacle
-          const double compliance = law->tangent(0.);
-          const double wave =
-            2. * dealii::numbers::PI *
-            std::sqrt(compliance * parameters.boundary.right.mass /
-                      parameters.model.inertia);
-          if (std::max(compliance, wave) < resolved)
-            return true;
-        }
       const BoundaryParameters &boundary = parameters.boundary;
       return parameters.dimension == 1 &&
              (has_jump_of_initial_values(parameters) ||
@@ -347,6 +334,55 @@ namespace ThermoContact
 
 
 
+    /**
+     * Length over which an obstacle spreads the fronts that it makes: that of a
+     * compliance, or of the wave of a mass on the end that swings on it. Zero
+     * where the law says none, infinite where there is no obstacle.
+     */
+    double
+    length_of_contact(const Parameters &parameters)
+    {
+      const auto law =
+        contact_law(parameters.contact.condition).make(parameters.contact.law);
+      if (!law->is_active())
+        return infinity;
+      const double mass       = parameters.boundary.right.mass;
+      const double compliance = law->tangent(0.);
+      if (!(law->is_linear() || mass > 0.) || !std::isfinite(compliance))
+        return 0.;
+      return std::max(law->is_linear() ? compliance : 0.,
+                      2. * dealii::numbers::PI *
+                        std::sqrt(compliance * mass /
+                                  parameters.model.inertia));
+    }
+
+
+
+    /** Length of the sharpest fronts; infinite: there are none. */
+    double
+    length_of_fronts(const Parameters &parameters)
+    {
+      return std::max(length_of_diffusion(parameters.model),
+                      has_jumps(parameters) ? 0. :
+                                              length_of_contact(parameters));
+    }
+
+
+
+    /**
+     * True if fronts pass through the body that are sharper than a mesh with
+     * nodes @p spacing apart resolves.
+     */
+    bool
+    has_sharp_fronts(const Parameters &parameters, const double spacing)
+    {
+      const double resolved = Tolerances::nodes_of_front * spacing;
+      return length_of_diffusion(parameters.model) < resolved &&
+             length_of_fronts(parameters) < resolved;
+    }
+
+
+
     unsigned int
     degree_for_fronts(const MeshParameters &mesh)
     {
@@ -356,10 +392,11 @@ namespace ThermoContact
 
 
     /**
-     * Cells of the default scheme that resolve fronts: with
-     * Tolerances::nodes_of_front nodes in their length, and so short that the
-     * contact node does not bounce and the layer of an impact is resolved; 0: a
-     * stage with them costs more than a step of the scheme without dispersion.
+     * Cells of the default scheme that resolve the layer of an impact and
+     * fronts: with Tolerances::nodes_of_front nodes in the length over which
+     * viscosity spreads these, and a contact node that it keeps from bouncing;
+     * or else in the compliance that makes them. 0: a stage with them costs
+     * more than a step of the scheme without dispersion.
      */
     unsigned int
     cells_of_fronts(const Parameters &written)
@@ -377,25 +414,38 @@ namespace ThermoContact
       const double most          = stages_of_box *
                           cells_of_tolerance(written.time.tolerance) /
                           mesh.degree;
-      double cells =
-        Tolerances::nodes_of_front / (mesh.degree * length_of_diffusion(model));
-      if (law->is_active() && law->is_linear() && law->tangent(0.) > 0.)
-        cells = std::max(cells,
-                         nodes_of_layer * mesh.contact_node_length() /
-                           layer_of_impact(model.inertia,
-                                           model.viscosity,
-                                           law->tangent(0.)));
-      // below the default tolerance: errors of the mesh fall like h^p
+      // errors of the mesh fall like h^p
       const double tighter =
-        TimeParameters().tolerance / written.time.tolerance;
-      cells *= std::pow(std::max(1., tighter), 1. / mesh.degree);
-      if (!(cells <= most))
-        return 0;
-      mesh.cells = std::ceil(cells * (1. - Tolerances::rounding_of_data));
-      while (law->is_active() && mesh.cells <= most &&
-             contact_nodes_oscillate(parameters, *law))
-        ++mesh.cells;
-      return mesh.cells <= most ? mesh.cells : 0;
+        std::pow(TimeParameters().tolerance / written.time.tolerance,
+                 1. / mesh.degree);
+      const auto cells_for = [&](const double n_nodes, const double length) {
+        return std::max(1., tighter) * n_nodes / (mesh.degree * length);
+      };
+      const bool is_elastic =
+        law->is_active() && law->is_linear() && law->tangent(0.) > 0.;
+      double of_layer = 0., of_compliance = infinity;
+      if (is_elastic)
+        of_layer =
+          tighter * nodes_of_layer * mesh.contact_node_length() /
+          layer_of_impact(model.inertia, model.viscosity, law->tangent(0.));
+      if (is_elastic && written.contact.massless_nodes != "off" &&
+          !has_jumps(written))
+        of_compliance = cells_for(nodes_of_compliance, law->tangent(0.));
+      double     of_viscosity = std::max(of_layer,
+                                     cells_for(Tolerances::nodes_of_front,
+                                               length_of_diffusion(model)));
+      const auto whole        = [](const double cells) {
+        return std::ceil(cells * (1. - Tolerances::rounding_of_data));
+      };
+      for (; law->is_active() && of_viscosity <= most; of_viscosity += 1.)
+        {
+          mesh.cells = of_viscosity = whole(of_viscosity);
+          if (!contact_nodes_oscillate(parameters, *law))
+            break;
+        }
+      const double cells =
+        std::min(of_viscosity, std::max(of_layer, of_compliance));
+      return cells <= most ? whole(cells) : 0;
     }
 
 

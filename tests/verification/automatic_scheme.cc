@@ -6,22 +6,27 @@
 //    L = (zeta/b^(1/2))^(1/2), or that of a linear obstacle, eps. It needs
 //    eight nodes of the default mesh, which has 32 to the rod: L >= 1/4, that
 //    is zeta >= 1/16 for b = 1, 1/4 for b = 16, or eps >= 1/4. A sharper one
-//    has n cells of degree p = 8: n >= 8/(p L); n >= 6/(p (p + 1) l), l = (zeta
-//    t/b)^(1/2) with t^3 = b eps^2 (t + zeta); and so many that zeta >= 2 w (b
-//    (1 + w/eps))^(1/2), w = 1/(n p (p + 1)), or on a rigid obstacle zeta >=
-//    b^(1/2)/(n p). b = 1: zeta = 0.0624, L = 0.2498, n = 5; 0.01, eps = 0.05:
-//    L = 0.1, 10, at degree 3 26.7 -> 27; eps = 0.002: t = 0.00381, l =
-//    0.00617, 13.5 -> 14; rigid 12.5 -> 13; without an obstacle 10; 0.001, eps
-//    = 0.05: 31.6 -> 32, w = 4.34e-4, 2 w (1 + w/eps)^(1/2) = 8.72e-4. The box
-//    scheme has 2 tolerance^(-1/2) cells, in multiples of 8: 632.5 -> 640, 200,
-//    64, and not less than 40, and takes over where n p is more than twice
-//    that: 3e-4 needs n = 93 for w <= 1.5e-4, 1e-4 278, more than 160; 0.003 at
+//    has n cells of degree p = 8: n >= 10.5/(p (p + 1) l), l = (zeta t/b)^(1/2)
+//    with t^3 = b eps^2 (t + zeta), and the smaller one of two numbers: n >=
+//    8/(p L) and so many that zeta >= 2 w (b (1 + w/eps))^(1/2), w = 1/(n p (p
+//    + 1)), or on a rigid obstacle zeta >= b^(1/2)/(n p); or n >= 16/(p eps).
+//    b = 1: zeta = 0.0624, eps = 0.01: L = 0.2498, 4.003 -> 5, l = 0.0355, 4.1;
+//    0.01, eps = 0.05: L = 0.1, 10, l = 0.0231, 6.3, at degree 3 26.7 and 37.9
+//    -> 38; eps = 0.002: t = 0.00381, l = 0.00617, 23.6 -> 24; rigid 12.5 ->
+//    13; without an obstacle 10; 0.001, eps = 0.05: 31.6 -> 32, w = 4.34e-4, 2
+//    w (1 + w/eps)^(1/2) = 8.72e-4, instead of 40; l = 0.0071, 20.5; 3e-4: 40,
+//    as w <= 1.5e-4 needs 93, l = 0.00388, 37.6; 1e-4: l = 0.00224, 65.1 -> 66.
+//    The box scheme has 2 tolerance^(-1/2) cells, in multiples of 8: 632.5 ->
+//    640, 200, 64, and not less than 40, and takes over where n p is more than
+//    twice that: 1e-5 needs l = 7.07e-4, 206, more than 160; 0.003 at
 //    a tolerance of 1e-3 18.3 -> 19, more than 16. At 1e-7
 //    n is 100^(1/8) = 1.78 times as much: 0.01 has 17.8 -> 18. Fewer cells than
 //    n that are given are those of box, too. Without an obstacle fronts are
 //    made by a traction that jumps in the run or at its start (where u_x - a
 //    theta is not the traction), by the velocity of the fixed end, and by
 //    initial values that jump, but not by inputs that bend or begin like t^2.
+//    A mass m on the end swings on a stop, also on a damped one, with a wave of
+//    2 pi (eps m/b)^(1/2): 1.4 and, for m = 0.03, 0.243 with eps = 0.05.
 // 2. A second choice on top of the first changes nothing.
 // 3. An obstacle at g = -V t meets a rod at rest, b = 1, zeta = 0: the force is
 //    V until the wave returns at t = 2, the impulse V t. On any number of
@@ -168,6 +173,7 @@ main_automatic_scheme()
   choose("zeta 0.001", weak + Overrides{"Model/Viscosity=0.001"});
   choose("zeta 3e-4", weak + Overrides{"Model/Viscosity=3e-4"});
   choose("zeta 1e-4", weak + Overrides{"Model/Viscosity=1e-4"});
+  choose("zeta 1e-5", weak + Overrides{"Model/Viscosity=1e-5"});
   choose("no inertia", {"Model/Inertia=0", "Model/Viscosity=0"});
   choose("heat alone", {"Model/Fields=temperature"});
   choose("rigid", elastic);
@@ -184,6 +190,13 @@ main_automatic_scheme()
   const Overrides soft = {"Model/Viscosity=0"};
   choose("eps 0.26", soft + Overrides{"Contact/Compliance=0.26"});
   choose("eps 0.24", soft + Overrides{"Contact/Compliance=0.24"});
+  const Overrides swung = {"Model/Viscosity=0",
+                           "Contact/Compliance=0.05",
+                           "Contact/Damping=1",
+                           "Initial values/Velocity=x"};
+  choose("mass on a damped stop", swung + Overrides{"Boundary/right/Mass=1"});
+  choose("light mass", swung + Overrides{"Boundary/right/Mass=0.03"});
+  choose("damped stop", swung);
   const Overrides free = {"Model/Viscosity=0", "Contact/Condition=none"};
   choose("free", free);
   choose("pull from the start", free + Overrides{"Boundary/right/Traction=1"});

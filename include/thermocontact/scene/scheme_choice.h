@@ -43,15 +43,15 @@ namespace ThermoContact
    * Decides them, doc/numerics.md section "Which scheme". Fronts are what an
    * obstacle, a traction that jumps, the jump of the velocity of the fixed end,
    * or initial values that jump send through a body with inertia. Viscosity
-   * spreads them over
-   * $\sqrt{\zeta/\sqrt b}$ while they pass the body; sharp ones have less than
-   * Tolerances::nodes_of_front nodes of the default mesh in that length, or in
-   * the compliance of a linear obstacle. A rod with sharp fronts has the
-   * default scheme on a mesh that resolves them, if a stage with it costs no
-   * more than a step of the scheme without dispersion in as many cells as the
-   * tolerance asks for; else that one, unless an entry is against it or cells
-   * times steps are more than Tolerances::most_cell_steps. All else has the
-   * default scheme and mesh.
+   * spreads them over $\sqrt{\zeta/\sqrt b}$ while they pass the body, and a
+   * linear obstacle makes none shorter than its compliance, or than the wave of
+   * a mass that swings on it; sharp ones have less than
+   * Tolerances::nodes_of_front nodes of the default mesh in that length. A rod
+   * with sharp fronts has the default scheme on a mesh that resolves them, if a
+   * stage with it costs no more than a step of the scheme without dispersion in
+   * as many cells as the tolerance asks for; else that one, unless an entry is
+   * against it or cells times steps are more than Tolerances::most_cell_steps.
+   * All else has the default scheme and mesh.
    *
    * Applied to its own result it changes nothing.
    *
