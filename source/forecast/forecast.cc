@@ -13,8 +13,9 @@ namespace ThermoContact
   {
     /**
      * Error-controlled steps, in units of tolerance^(-e) with the exponent e of
-     * the scheme: a fit to 190 runs, doc/accuracy.md. Heat conduction, and the
-     * start of a rod, take a number of their own; each run of a wave through
+     * the scheme: a fit to 190 runs, doc/accuracy.md. Heat conduction, which
+     * takes as many steps in each decade of time, and the start of a rod have a
+     * number of their own; each run of a wave through
      * the rod until viscosity or heat conduction has damped it takes another,
      * more the less the viscosity damps what is short and the stiffer the
      * obstacle is.
@@ -27,7 +28,7 @@ namespace ThermoContact
       const double      T        = scene.parameters.time.end_time;
       double            sum      = 0.;
       if (scene.fields.has_temperature)
-        sum += 3. * std::min(1., std::sqrt(T));
+        sum += 0.38 * std::log1p(std::min(10., T) / 3e-4);
       if (scene.fields.has_displacement)
         sum += 1.7 * std::min(1., std::sqrt(T));
       if (scene.fields.has_displacement && material.has_inertia())
@@ -179,8 +180,10 @@ namespace ThermoContact
                         contact_nodes_oscillate(parameters, *scene.contact.law);
         const double scaled =
           scaled_steps(scene) + (cost.is_driven ? scaled_steps(loads) : 0.);
-        cost.steps = std::ceil(std::max(
-          {scaled / std::pow(time.tolerance, scene.scheme.step_exponent),
+        const auto free = steps_of_free_waves(scene);
+        cost.steps      = std::ceil(std::max(
+          {free ? *free :
+                       scaled / std::pow(time.tolerance, scene.scheme.step_exponent),
            equilibrium_steps(scene),
            T / time.maximum_step_size}));
       }

@@ -19,7 +19,7 @@ namespace ThermoContact
     const Scene &scene = body.scene;
     if (!scene.fields.has_temperature || scene.fields.has_displacement ||
         !scene.heat.exchange->is_constant() ||
-        !scene.parameters.time.has_error_control() || !(thermal_energy > 0.))
+        !scene.parameters.time.has_error_control())
       return infinity;
     const double              tolerance = scene.parameters.time.tolerance;
     const auto               &equations = body.equations;
@@ -35,19 +35,29 @@ namespace ThermoContact
     equations.stage_rhs(state, 0., load, forces, right, unused);
     constexpr double safety = 0.9; // as behind any other step, (D3.5)
     double           size   = 0.;
+    // a body without thermal energy has in a step what its rate gives it
+    double       scale       = thermal_energy;
+    unsigned int scale_order = 0;
     for (unsigned int m = 1; m <= bounds.size(); ++m)
       {
         equations.zero_constrained(Field::temperature, right);
         mass.solve(rate.temperature, right);
         equations.zero_constrained(Field::temperature, rate.temperature);
-        const double ratio = std::sqrt(
-          body.energy.difference_energy(rate, state.contact_pressure).thermal /
-          thermal_energy);
-        if (!(ratio > 0.))
+        const double change =
+          body.energy.difference_energy(rate, state.contact_pressure).thermal;
+        if (!(change > 0.))
           return infinity; // at rest
-        size = std::max(size,
-                        safety * std::pow(tolerance / (bounds[m - 1] * ratio),
-                                          1. / m));
+        if (scale > 0.)
+          size =
+            std::max(size,
+                     safety * std::pow(tolerance / (bounds[m - 1] *
+                                                    std::sqrt(change / scale)),
+                                       1. / (m - scale_order)));
+        else
+          {
+            scale       = change;
+            scale_order = 1;
+          }
         equations.conduction.vmult(right, rate.temperature);
         right *= -1.;
       }

@@ -204,7 +204,7 @@ def expected_steps(run):
         return more + math.ceil(T / s.step_size() * (1 - 1e-6)) + sum(
             0 < float(time) < T for time in s.get("Time/Break points", "").split(";") if time)
     order = {"sdirk3": 3, "sdirk4": 4, "energy conserving": 2}[s["Time/Scheme"]]
-    tolerance, n, least = s.number("Time/Tolerance"), (3 * heat + 1.7 * moves) * min(1, T**0.5), 0
+    tolerance, n, least = s.number("Time/Tolerance"), 0.38 * heat * math.log1p(min(10, T) / 3e-4) + 1.7 * moves * min(1, T**0.5), 0
     if moves and b:
         is_heated = heat and s.get("Model/Thermoelastic heating") == "true"
         damping = zeta / b + is_heated * a * a / (2 * b + 0.8)
@@ -224,7 +224,9 @@ def faults_of_cost(run):
     s, m = run.settings, run.summary
     steps, dim, T = m["predicted_steps"], int(s["Dimension"]), s.number("Time/End time")
     words = last_line(run.log, "expected")
-    if not words.startswith("perhaps") and abs(steps - expected_steps(run)) > 1e-6:
+    is_counted = s["Model/Fields"] == "displacement" and s.get("Model/Viscosity") == "0" and \
+        s.get("Contact/Condition") == "none"  # in the runs of a wave, not by a formula
+    if not words.startswith("perhaps") and not is_counted and abs(steps - expected_steps(run)) > 1e-6:
         yield f"predicted_steps: {steps} instead of {expected_steps(run)}"
 
     def count(interval):

@@ -91,6 +91,18 @@ namespace ThermoContact
 
 
   /**
+   * Error-controlled steps of an elastic rod that nothing meets, drives or
+   * damps: those of the second run of its wave, each time one runs. A
+   * Simulation makes two of them. How many steps a wave takes depends on how
+   * smooth the initial values are, and on what the ends carry.
+   *
+   * @return nothing for other bodies, and where that would cost a fifth of the
+   *   run or more
+   */
+  std::optional<double>
+  steps_of_free_waves(const Scene &scene);
+
+  /**
    * Memory of all processes of a run, bytes, in two and three dimensions within
    * a factor of about two, doc/bodies.md: of a process before it computes
    * anything, and of the body; with the direct solver mostly for the factors of

@@ -17,7 +17,8 @@ namespace ThermoContact
    * of the start.
    *
    * @param state at the start of the step
-   * @param thermal_energy $\frac12\|\hat\theta\|^2$, the scale of the errors
+   * @param thermal_energy $\frac12\|\hat\theta\|^2$, the scale of the errors;
+   *   zero: the rate makes it
    * @return infinity if a body is not such, or if nothing is known of it
    */
   template <int dim>
