@@ -22,6 +22,8 @@ CONTACT = {"gap": r"gap  $g - u(1, t)$",
            "contact_impulse": r"impulse  $\int_0^t F$",
            "max_pressure": r"largest pressure  $p$",
            "contact_area": "area in contact / area"}
+ROW = {"gap": r"gap  $g - u_L + u_R$", "contact_force": CONTACT["contact_force"],
+       "contact_impulse": CONTACT["contact_impulse"]}
 ENERGY = {"energy": "energy  $\\hat{E}$\n(no heat content)", "work": "work",
           "dissipation": "dissipation",
           "numerical_dissipation": "numerical dissipation",
@@ -234,6 +236,35 @@ def draw_histories(runs, labels, columns, height):
     return figure
 
 
+def draw_row(runs):
+    """Each contact of a row of bodies in a colour of its own, each run in a dash of its own."""
+    from matplotlib.lines import Line2D
+
+    runs = [run for run in runs if run.row]
+    names = list(dict.fromkeys(name for run in runs for name in run.row))
+    colours = {name: looks(i)["color"] for i, name in enumerate(names)}
+    dashes = [(), (4, 2), (1, 1.5), (6, 2, 1, 2)]
+    handles = [Line2D([], [], color=colours[name], label=name) for name in names]
+    if len(runs) > 1:
+        handles += [Line2D([], [], color="0.3", dashes=dashes[i % len(dashes)], label=run.title)
+                    for i, run in enumerate(runs)]
+    labels = {name: ROW[name] for name in ROW if any(
+        math.isfinite(value) for run in runs for table in run.row.values() for value in table[name])}
+    figure, panels = panels_of(runs, labels, 1, 2.1, handles)
+    for column, axes in panels.items():
+        values = []
+        for i, run in enumerate(runs):
+            for name, table in run.row.items():
+                axes.plot(table["time"], table[column], zorder=3, linewidth=1.2, color=colours[name],
+                          dashes=dashes[i % len(dashes)])
+                values += table[column]
+        label_axis(axes.yaxis, labels[column], runs[0].units.get(column), values)
+    if len(runs) == 1:
+        figure.suptitle(runs[0].title, fontsize=11)
+    finish(figure, panels, runs)
+    return figure
+
+
 def histories_of_figure(runs):
     return FIGURE if has(runs, "displacement_end") else HEAT
 
@@ -323,7 +354,8 @@ FIGURES = {
         "numbers in contact.csv"),
     "contact": picture(
         lambda runs: draw_histories(runs, CONTACT, 1, 2.1),
-        lambda runs: has(runs, "gap"), "a scene with an obstacle"),
+        lambda runs: has([run for run in runs if not run.row], "gap"), "a scene with an obstacle"),
+    "row": picture(draw_row, lambda runs: any(run.row for run in runs), "a row of bodies (section Bodies)"),
     "energy": picture(
         lambda runs: draw_histories(runs, ENERGY, 2, 2.1),
         lambda runs: has(runs, "energy"), "the column energy of contact.csv"),

@@ -14,6 +14,7 @@ COLUMNS = ["time", "displacement_end", "displacement_mid", "velocity_end",
            "work", "dissipation", "numerical_dissipation", "in_contact"]
 # what residuals do to the energy, with the iterative solver; what damping takes; bodies
 OPTIONAL = ["algebraic", "contact_dissipation", "contact_area", "max_pressure"]
+ROW = ["time", "gap", "contact_force", "contact_impulse"]
 STEPS = ["time", "step_size", "error", "accepted", "reason"]
 PROBE = re.compile(r"(temperature|displacement|velocity|stress)_(\d+)$")
 
@@ -144,16 +145,28 @@ def obstacles(data, entries):
     return [rounded(min(ends)) if ends else math.nan for ends in (front, rear)]
 
 
+def read_row(directory, end_time):
+    """Units and tables of the contacts of a row of bodies, by their names; nothing else."""
+    tables = {}
+    for path in sorted((directory / "contacts").glob("*.csv")):
+        found = read_optional(path, lambda _: ROW, end_time)
+        if found:
+            tables[path.stem] = found[1]
+    return tables
+
+
 def read_run(directory, end_time):
     path = directory / "contact.csv"
     comments, last_time, data, units = read_data(path, end_time)
     entries = entries_of(directory)
-    front, rear = obstacles(data, entries)
+    row = read_row(directory, end_time)
+    front, rear = (math.nan, math.nan) if row else obstacles(data, entries)
     return argparse.Namespace(
         directory=directory, data=data, units=units, entries=entries,
         title=title_of(comments) or directory.resolve().name,
         ended=how_it_ended(directory, last_time, units.get("time", "")),
-        contacts=read_contacts(directory / "events.csv", data),
+        # times of single contacts of a row are those of their forces
+        row=row, contacts=[] if row else read_contacts(directory / "events.csv", data),
         obstacle=front, rear=rear,
         moves=obstacle_moves(directory), path=path_of_obstacle(directory, data),
         steps=read_optional(directory / "steps.csv", lambda _: STEPS, end_time),

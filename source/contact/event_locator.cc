@@ -26,6 +26,34 @@ namespace ThermoContact
 
 
 
+  double
+  duration_of_contact(const std::vector<ContactEvent> &events,
+                      const std::size_t                i)
+  {
+    if (events[i].kind == ContactEvent::end)
+      for (std::size_t begin = i; begin-- > 0;)
+        if (events[begin].contact == events[i].contact)
+          return events[i].time - events[begin].time;
+    return nan;
+  }
+
+
+
+  ContactValues
+  ContactValues::of_node(const unsigned int node) const
+  {
+    const auto of = [node](const std::vector<double> &values) {
+      return std::vector<double>{values[node]};
+    };
+    return {time,
+            of(displacement),
+            {of(front.penetration), of(front.velocity)},
+            {of(rear.penetration), of(rear.velocity)},
+            of(pressure)};
+  }
+
+
+
   bool
   LocalValues::is_any_in_contact() const
   {

@@ -18,12 +18,17 @@ namespace ThermoContact
     std::string
     obstruction(const Scene &scene)
     {
+      if (scene.row.is_given())
+        return "no closed form of a row of bodies";
       if (scene.sources.drives_end())
         return "none: the fixed end is heated or moved";
       if (scene.sources.has_moving_obstacle)
         return "none: the obstacle moves";
       if (scene.sources.any())
         return "no closed form with sources";
+      if (scene.heat.right_temperature ||
+          scene.parameters.boundary.right.is_clamped())
+        return "no closed form with a right end that is held";
       if (!scene.heat.has_given_temperature)
         return "no closed form without a given temperature at the end x = 0";
       const BoundaryParameters &boundary = scene.parameters.boundary;

@@ -215,6 +215,7 @@ namespace ThermoContact
         }
     };
     collect([&]() { parameters.constants = assign_constants(given, prm); });
+    collect([&]() { parameters.row.add_parameters(given, prm); });
     throw_faults(faults);
     const std::map<std::string, double> &constants = parameters.constants;
     parameters.folder                              = folder_of_tables(given);
@@ -379,7 +380,7 @@ namespace ThermoContact
     std::string open_section;
     for (const DeclaredEntry &entry : entries)
       {
-        if (omit.count(entry.path) != 0 ||
+        if (omit.count(entry.path) != 0 || is_template_path(entry.path) ||
             entry.path == "Constants/" + name_of_constants)
           continue;
         const std::string section = section_of(entry.path);

@@ -116,6 +116,16 @@ namespace ThermoContact
     }
     {
       SectionOfEntries entry(prm, "Boundary/right");
+      entry("Support", right.support, Selection("contact|free|clamped"))
+        .means("The end x = 1, of a row of bodies its right end: contact (the "
+               "obstacle of section Contact stands before it), free (there is "
+               "none) or, for Dimension = 1, clamped (no displacement).");
+      entry("Temperature",
+            right.temperature,
+            NumberOrText::word_or_number("none"))
+        .means("Temperature theta_B of the end, for Dimension = 1; none: heat "
+               "is exchanged there.",
+               "temperature");
       entry("Traction", right.traction, load)
         .means("Traction t on the contact end x = 1, positive outward: the end "
                "stress is -pressure + t.",
@@ -195,6 +205,10 @@ namespace ThermoContact
         "Gap g_2 to a second obstacle of the same law behind the end, "
         "u(1) >= -g_2; its pressures are negative. none: no such obstacle.",
         "length");
+    entry("Restitution", restitution, NumberOrText::word("none"))
+      .means("Coefficient e of restitution, 0 <= e <= 1, where a rigid mass of "
+             "section Bodies meets a mass or the obstacle and the contact is "
+             "rigid: it leaves with e times the velocity.");
     entry("Massless nodes", massless_nodes, Selection("automatic|on|off"))
       .means(
         "The mass of the contact nodes is moved to their neighbours, for "
@@ -555,7 +569,9 @@ namespace ThermoContact
     const auto  entry =
       std::find_if(entries.begin(),
                    entries.end(),
-                   [&](const DeclaredEntry &one) { return one.path == path; });
+                   [declared = declared_path(path)](const DeclaredEntry &one) {
+                     return one.path == declared;
+                   });
     return entry == entries.end() ? nullptr : &*entry;
   }
 
@@ -588,6 +604,7 @@ namespace ThermoContact
              "Every expression and every number of the file may name it, e.g. "
              "Time/End time = 40*P.");
     model.add_parameters(prm);
+    RowParameters::add_templates(prm);
     boundary.add_parameters(prm);
     contact.add_parameters(prm);
     initial_values.add_parameters(prm);

@@ -45,6 +45,14 @@ namespace ThermoContact
 
 
   NumberOrText
+  NumberOrText::word_or_number(const std::string &word)
+  {
+    return {word, "", Double()};
+  }
+
+
+
+  NumberOrText
   NumberOrText::word_or_count(const std::string &word,
                               const int          smallest,
                               const int          largest)

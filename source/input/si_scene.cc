@@ -172,6 +172,11 @@ namespace ThermoContact
     , dim(parse_number(given("Dimension").value_or("1")).value_or(1.))
     , has_temperature(given("Model/Fields").value_or("") != "displacement")
     , has_displacement(given("Model/Fields").value_or("") != "temperature")
+    , has_row(std::any_of(assignments.begin(),
+                          assignments.end(),
+                          [](const Assignment &assignment) {
+                            return begins_with(assignment.path, "Bodies/");
+                          }))
     , is_confined(dim > 1 || given("Rod/Lateral sides") == "confined")
     , law(law_of(assignments))
   {
@@ -448,7 +453,7 @@ namespace ThermoContact
     const std::string wanted = given("Rod/Small terms").value_or("automatic");
     if (wanted != "automatic")
       return wanted == "dropped";
-    return is_zero("Initial values/Velocity") &&
+    return !has_row && is_zero("Initial values/Velocity") &&
            is_zero("Boundary/left/Displacement") &&
            is_zero("Contact/Rear gap") && is_zero("Boundary/left/Mass") &&
            is_zero("Boundary/right/Mass") && is_zero("Boundary/left/Dashpot") &&
@@ -484,14 +489,14 @@ namespace ThermoContact
                                                      relaxing / *scales.time);
         if (dim > 1)
           set_number("Model/Poisson ratio", nu);
-        if (!is_static && !given("Initial values/Velocity"))
+        if (!is_static && !has_row && !given("Initial values/Velocity"))
           set("Initial values/Velocity", "0");
       }
     if (has_displacement && has_temperature)
       set_number("Model/Coupling",
                  rod("Linear expansion") * *scales.temperature *
                    (is_confined ? (1. + nu) / (1. - nu) : 1.));
-    if (has_temperature && !given("Initial values/Temperature"))
+    if (has_temperature && !has_row && !given("Initial values/Temperature"))
       set("Initial values/Temperature", "0");
     if (has_displacement && law.uses("Compliance") &&
         given("Contact/Stiffness"))

@@ -33,8 +33,9 @@ namespace ThermoContact
 
     /** Whether it is a section, or one that has others; "": outside of all. */
     bool
-    is_section(const std::string &name)
+    is_section(const std::string &any_name)
     {
+      const std::string name = declared_path(any_name);
       const auto sections = declared_sections();
       return std::any_of(sections.begin(),
                          sections.end(),
@@ -52,7 +53,7 @@ namespace ThermoContact
     {
       std::string names;
       for (const DeclaredEntry &entry : entries_of_program())
-        if (section_of(entry.path) == section)
+        if (section_of(entry.path) == declared_path(section))
           names += (names.empty() ? "" : ", ") + name_of(entry.path);
       return names;
     }
@@ -205,9 +206,15 @@ namespace ThermoContact
   {
     const std::string        section = section_of(assignment.path);
     const std::string        all     = list_entries(section);
-    std::vector<std::string> paths;
+    std::vector<std::string> paths, of_any_name;
     for (const DeclaredEntry &entry : entries_of_program())
-      paths.push_back(entry.path);
+      if (!is_template_path(entry.path))
+        paths.push_back(entry.path);
+      else if (section_of(entry.path) == declared_path(section))
+        paths.push_back(section + "/" + name_of(entry.path));
+      else
+        of_any_name.push_back(entry.path);
+    paths.insert(paths.end(), of_any_name.begin(), of_any_name.end());
     const std::string other = entry_of_other_words(name_of(assignment.path));
     const std::string near =
       other.empty() ? nearest(assignment.path, paths) : other;

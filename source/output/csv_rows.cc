@@ -41,7 +41,28 @@ namespace ThermoContact
       columns.emplace_back("side", [](const ContactEvent &event) {
         return event.side > 0 ? "front" : "rear";
       });
+    if (scene.row.is_given())
+      columns.emplace_back("contact",
+                           [names = scene.row.contact_names()](
+                             const ContactEvent &event) -> std::string {
+                             return names[event.contact];
+                           });
     return columns;
+  }
+
+
+
+  CsvColumns<ContactRecord>
+  columns_of_row_contact()
+  {
+    using R = ContactRecord;
+    return {{"time", &R::time},
+            {"gap", &R::gap},
+            {"velocity", &R::velocity},
+            {"contact_force", &R::contact_force},
+            {"contact_impulse", &R::contact_impulse},
+            {"heat_flux", &R::heat_flux},
+            {"in_contact", &R::in_contact}};
   }
 
 

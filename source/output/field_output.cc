@@ -102,6 +102,10 @@ namespace ThermoContact
       std::vector<Tensor<1, dim>> displacement(n_points), velocity(n_points),
         total(n_points);
       std::vector<Tensor<2, dim>> gradient(n_points);
+
+      // of a row: of displacement and velocity, and the cell that is written
+      std::vector<Tensor<2, dim>> elastic(n_points), rate(n_points);
+      const RowCell              *of_row = nullptr;
       const auto component = [&](unsigned int row, const unsigned int point) {
         if (row < first)
           return temperature[point];
@@ -111,6 +115,14 @@ namespace ThermoContact
                              velocity[point][row - dim];
         const unsigned int d = (row - 2 * dim) / n_rows,
                            e = (row - 2 * dim) % n_rows;
+        if (of_row != nullptr)
+          return (of_row->stiffness * elastic[point][0][0] +
+                  material.viscosity * of_row->viscosity * rate[point][0][0] -
+                  (material.has_thermal_stress() ?
+                     material.thermal_stress * of_row->coupling *
+                       temperature[point] :
+                     0.)) /
+                 of_row->section;
         const Strain strain =
           space.geometry().strain(gradient[point],
                                   total[point],
@@ -125,7 +137,8 @@ namespace ThermoContact
       const unsigned int       n_at_once  = std::max(1., max_points / n_points);
       std::vector<std::string> pieces;
       for (const auto &cell : space.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
+        if (cell->is_locally_owned() &&
+            !space.is_gap(cell->active_cell_index()))
           {
             values.reinit(cell);
             if (fields.has_temperature)
@@ -138,6 +151,12 @@ namespace ThermoContact
                 of_fields.get_function_values(moving, velocity);
                 of_fields.get_function_values(viscous, total);
                 of_fields.get_function_gradients(viscous, gradient);
+                if (space.row().is_given())
+                  {
+                    of_row = &space.row().cells[cell->active_cell_index()];
+                    of_fields.get_function_gradients(present, elastic);
+                    of_fields.get_function_gradients(moving, rate);
+                  }
               }
             const double length = units.of("position").factor;
             cells.add(

@@ -78,6 +78,16 @@ namespace ThermoContact
              {probes_file.name, &probes_file.file}}
   {
     field_timer.reset();
+    if (simulation.scene().row.is_given())
+      for (const std::string &name : simulation.scene().row.contact_names())
+        {
+          row_files.push_back(std::make_unique<CsvFile<ContactRecord>>(
+            "contacts/" + name + ".csv",
+            columns_of_row_contact(),
+            units,
+            "contacts/*.csv"));
+          tables[row_files.back()->name] = &row_files.back()->file;
+        }
     if (progress)
       sizes = progress->sizes;
     if (parameters.space_time_interval > 0.)
@@ -121,6 +131,13 @@ namespace ThermoContact
     };
     open(contact_file);
     open(events_file);
+    if (!row_files.empty())
+      {
+        std::error_code error; // a fault shows when a file is opened
+        std::filesystem::create_directory(directory + "/contacts", error);
+      }
+    for (const auto &file : row_files)
+      open(*file);
     if (time.has_error_control() || time.locates_contact_events())
       open(steps_file);
     if (parameters.period > 0.)
@@ -176,6 +193,8 @@ namespace ThermoContact
     if (parameters.contact_interval == 0. || is_due(of_contact, record.time))
       {
         contact_file.add(record);
+        for (unsigned int i = 0; i < row_files.size(); ++i)
+          row_files[i]->add(record.contacts[i]);
         if (!probes.empty())
           probes_file.add(
             {record.time, probe_values.evaluate(simulation.state())});
@@ -186,9 +205,7 @@ namespace ThermoContact
     const bool  is_first_contact = n_written_events == 0 && !events.empty();
     for (unsigned int &i = n_written_events; i < events.size(); ++i)
       events_file.add({events[i],
-                       events[i].kind == ContactEvent::end && i > 0 ?
-                         events[i].time - events[i - 1].time :
-                         nan});
+                       duration_of_contact(events, i)});
     for (const StepAttempt &attempt : simulation.history().attempts)
       steps_file.add(attempt);
     if (space_time_output && is_due(of_space_time, record.time))

@@ -30,6 +30,7 @@ namespace ThermoContact
     const char *const run_files[] = {
       "checkpoint?(.next|.previous).bin",
       "@(contact|fields|obstacle).pvd",
+      "contacts/*.csv",
       "fields/@(contact|fields|obstacle)-+([0-9])"
       ".vtu",
       "@(contact|events|poincare|probes|steps|"
@@ -82,7 +83,7 @@ namespace ThermoContact
         if (fs::is_directory(folder) && fs::is_empty(folder))
           fs::remove(folder);
       };
-      for (const fs::path &folder : {directory / "fields", directory})
+      for (const fs::path &folder : {directory / "fields", directory / "contacts", directory})
         if (fs::is_directory(folder))
           for (const auto &entry : fs::directory_iterator(folder))
             {
@@ -101,6 +102,7 @@ namespace ThermoContact
                 }
             }
       remove_if_empty(directory / "fields");
+      remove_if_empty(directory / "contacts");
       // last, so that an interrupted clean-up is recognised as a run
       fs::remove(directory / "used.prm.part");
       fs::remove(directory / "used.prm");
@@ -118,6 +120,7 @@ namespace ThermoContact
         return "is a file\n  remedy:  give another directory";
       check_rights(directory);
       check_rights(directory / "fields");
+      check_rights(directory / "contacts");
       if (!holds_run(directory) && !fs::is_empty(directory))
         return "holds files that are not from an earlier run (no used.prm)"
                "\n  remedy:  give a new or an empty directory";

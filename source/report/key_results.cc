@@ -23,33 +23,44 @@ namespace ThermoContact
 
 
 
-    /** Begins and ends alternate; contact at t = 0 is a begin. */
+    /**
+     * Begins and ends of each contact alternate; contact at t = 0 is a begin.
+     * Of a row the sum of all contacts.
+     */
     double
     contact_duration(const Scene &, const RunHistory &history)
     {
-      double sum = 0., begin = 0.;
+      const StepRecord   &record = history.record;
+      const unsigned int  n      = std::max<std::size_t>(1, record.contacts.size());
+      std::vector<double> begin(n, 0.);
+      double              sum = 0.;
       for (const ContactEvent &event : history.events)
         if (event.kind == ContactEvent::begin)
-          begin = event.time;
+          begin[event.contact] = event.time;
         else
-          sum += event.time - begin;
-      return history.record.in_contact ? sum + history.record.time - begin :
-                                         sum;
+          sum += event.time - begin[event.contact];
+      for (unsigned int i = 0; i < n; ++i)
+        if (record.contacts.empty() ? record.in_contact :
+                                      record.contacts[i].in_contact)
+          sum += record.time - begin[i];
+      return sum;
     }
 
 
 
     /**
-     * The velocity of the last release over that of the first impact, with the
-     * sign that makes it positive for a body that comes back; NaN without one
-     * of the two.
+     * The velocity of the last release over the one of the first impact, with
+     * the sign that makes it positive for a body that comes back; NaN without
+     * one of the two. Of a row it is that of the contact that is first.
      */
     double
     restitution(const Scene &, const RunHistory &history)
     {
       double impact = nan, release = nan;
       for (const ContactEvent &event : history.events)
-        if (event.kind == ContactEvent::end)
+        if (event.contact != history.events.front().contact)
+          continue;
+        else if (event.kind == ContactEvent::end)
           release = event.velocity_into();
         else if (std::isnan(impact))
           impact = event.velocity_into();

@@ -38,7 +38,7 @@ namespace ThermoContact
       for (unsigned int i = 1; i < events.size(); ++i)
         if (events[i].kind == ContactEvent::end)
           durations.push_back(
-            units.text("time", events[i].time - events[i - 1].time));
+            units.text("time", duration_of_contact(events, i)));
       std::string line = text(results.at("contact_begins"), " times");
       if (!events.empty())
         line += ", first at t = " + units.text("time", events.front().time);

@@ -21,6 +21,30 @@ namespace ThermoContact
 
 
 
+    /** The bodies of a row, from the left. */
+    std::string
+    describe_row(const Scene &scene, const OutputUnits &units)
+    {
+      std::vector<std::string> bodies;
+      for (const BodyParameters &body : scene.parameters.row.bodies)
+        bodies.push_back(
+          body.name +
+          (body.is_mass() ?
+             " (mass " + units.text("mass", body.mass) + ")" :
+             text(" (rod of length ",
+                  units.text("position", body.length),
+                  ", ",
+                  body.cells,
+                  " cells)")));
+      return join_words(
+        {join_words(bodies),
+         text("degree ", scene.parameters.mesh.degree),
+         scene.fields.has_displacement && scene.has_free_end ? "x = 0: free" :
+                                                               ""});
+    }
+
+
+
     std::string
     describe_body(const Scene &scene, const OutputUnits &units)
     {
@@ -288,7 +312,10 @@ namespace ThermoContact
       log.line(scene.parameters.title);
     if (units.is_si())
       log.line("  units     " + units.description());
-    log.line("  body      " + describe_body(scene, units));
+    if (scene.row.is_given())
+      log.line("  row       " + describe_row(scene, units));
+    else
+      log.line("  body      " + describe_body(scene, units));
     log.line("  unknowns  " + describe_unknowns(scene));
     if (dim > 1)
       report_solver(scene, communicator, log);
@@ -348,6 +375,15 @@ namespace ThermoContact
         const SceneContact &contact = scene.contact;
         const bool          is_one  = contact.has_uniform_gap();
         std::string gap = is_one ? units.text("length", contact.gap) : "";
+        if (scene.row.is_given())
+          {
+            std::vector<std::string> gaps;
+            for (const RowContact &one : scene.row.contacts)
+              gaps.push_back(units.text("length", one.gap) + " of " + one.name);
+            if (scene.row.meets_obstacle)
+              gaps.push_back(gap + " before the obstacle");
+            gap = join_words(gaps);
+          }
         if (!is_one || scene.sources.has_moving_obstacle)
           gap =
             as_written("Contact/Gap", scene.parameters.contact.gap_expression) +

@@ -13,13 +13,15 @@ namespace ThermoContact
   template <unsigned int n_fields>
   RodFactors<n_fields>::RodFactors(const RodMatrices &matrices,
                                    const Blocks      &blocks,
-                                   const Held        &held)
+                                   const Held        &held,
+                                   const Held        &held_right)
     : layout(matrices.layout())
     , runs(matrices.runs())
     , n_inner(n_fields * (layout.degree - 1))
     , middle(layout.n_cells / 2)
     , held(held)
     , has_left(std::count(held.begin(), held.end(), false) > 0)
+    , held_right(held_right)
     , cells(runs.size())
     , vertices(layout.n_cells)
     , vertex_values(n_fields * layout.n_cells)
@@ -132,6 +134,18 @@ namespace ThermoContact
                 &systems[r]);
 
     // vertex i is the right one of cell i, the left one of cell i + 1
+    const auto hold = [&](NodeBlock &a, const unsigned int row_vertex, const unsigned int column_vertex) {
+      for (unsigned int k = 0; k < n_fields; ++k)
+        for (unsigned int j = 0; held_right[k] && j < n_fields; ++j)
+          {
+            const bool is_diagonal = row_vertex == column_vertex;
+            if (row_vertex == n - 1)
+              a[k * n_fields + j] = is_diagonal && j == k;
+            if (column_vertex == n - 1)
+              a[j * n_fields + k] = is_diagonal && j == k;
+          }
+      return a;
+    };
     const auto diagonal = [&](const unsigned int i) {
       NodeBlock a = block(*cell[i], true, true);
       if (i + 1 < n)
@@ -140,13 +154,15 @@ namespace ThermoContact
           for (unsigned int k = 0; k < n_entries; ++k)
             a[k] += b[k];
         }
-      return a;
+      return hold(a, i, i);
     };
     const auto lower = [&](const unsigned int i) {
-      return block(*cell[i], true, false);
+      NodeBlock a = block(*cell[i], true, false);
+      return hold(a, i, i - 1);
     };
     const auto upper = [&](const unsigned int i) {
-      return block(*cell[i + 1], false, true);
+      NodeBlock a = block(*cell[i + 1], false, true);
+      return hold(a, i, i + 1);
     };
 
     const auto eliminate =
@@ -178,6 +194,10 @@ namespace ThermoContact
       {
         NodeBlock d     = block(*cell[0], false, false);
         NodeBlock below = lower(0), behind = block(*cell[0], false, true);
+        if (n == 1)
+          for (unsigned int k = 0; k < n_fields; ++k)
+            for (unsigned int j = 0; held_right[k] && j < n_fields; ++j)
+              behind[j * n_fields + k] = 0.;
         for (unsigned int k = 0; k < n_fields; ++k)
           for (unsigned int j = 0; held[k] && j < n_fields; ++j)
             {

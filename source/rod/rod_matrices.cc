@@ -63,15 +63,14 @@ namespace ThermoContact
   RodMatrices::RodMatrices(const RodLayout           &layout,
                            const double               tolerance,
                            const Entry               &entry,
-                           const std::array<bool, 2> &carries)
+                           const std::vector<bool>   &carries)
     : layout_(layout)
   {
-    const auto carries_cell = [&](const unsigned int cell) {
-      return (cell == 0 && carries[0]) ||
-             (cell + 1 == layout.n_cells && carries[1]);
-    };
     const unsigned int  n = layout.nodes_per_cell();
     std::vector<double> of_cell(n_matrices * n * n);
+    const auto          carries_cell = [&](const unsigned int cell) {
+      return !carries.empty() && carries[cell];
+    };
     for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
       {
         auto value = of_cell.begin();

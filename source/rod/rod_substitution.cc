@@ -208,6 +208,9 @@ namespace ThermoContact
       else
         {
           condense<degree.value>(right);
+          for (unsigned int k = 0; k < n_fields; ++k)
+            if (held_right[k])
+              vertex_values[(layout.n_cells - 1) * n_fields + k] = 0.;
           if (has_left)
             {
               eliminate_node_0();

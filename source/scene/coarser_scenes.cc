@@ -69,10 +69,29 @@ namespace ThermoContact
 
 
 
+    /** Half as many cells of each rod; false if there are no fewer. */
+    bool
+    halve_cells_of_row(Parameters &parameters)
+    {
+      bool changes = false;
+      for (BodyParameters &body : parameters.row.bodies)
+        {
+          changes = changes || body.cells > 1;
+          body.cells = (body.cells + 1) / 2;
+        }
+      if (changes && has_joined_steps_and_cells(parameters))
+        parameters.time.step_size.reset(); // that of the cells
+      return changes;
+    }
+
+
+
     /** Half as many cells along and across; false if there are no fewer. */
     bool
     halve_cells(Parameters &parameters)
     {
+      if (parameters.row.is_given())
+        return halve_cells_of_row(parameters);
       MeshParameters &mesh    = parameters.mesh;
       const double    spacing = mesh.contact_spacing();
       bool            changes = false;
@@ -116,7 +135,12 @@ namespace ThermoContact
       add("Mesh/Cells across",
           mesh.n_cells_across(),
           original.mesh.n_cells_across());
-      if (scene.time.step_size)
+      for (unsigned int i = 0; i < scene.row.bodies.size(); ++i)
+        if (!scene.row.bodies[i].is_mass())
+          add(("Bodies/" + scene.row.bodies[i].name + "/Cells").c_str(),
+              scene.row.bodies[i].cells,
+              original.row.bodies[i].cells);
+      if (scene.time.step_size && original.time.step_size)
         add("Time/Step size", *scene.time.step_size, *original.time.step_size);
       return words;
     }

@@ -133,6 +133,7 @@ namespace ThermoContact
       const BoundaryParameters::Left &left = boundary.left;
       heat.has_given_temperature           = left.has_temperature();
       heat.left_exchange = heat.has_given_temperature ? 0. : left.heat_exchange;
+      heat.right_temperature = boundary.right.temperature;
       if (heat.has_given_temperature)
         heat.fixed_end_drive = read_drive(parameters,
                                           "Boundary/left/Temperature",
@@ -234,7 +235,8 @@ namespace ThermoContact
           parameters.mesh.n_nodes(1) == 2.)
         return false;
       const BoundaryParameters::Right &right = parameters.boundary.right;
-      if (scheme.has_no_dispersion || right.mass > 0. || right.dashpot > 0.)
+      if (scheme.has_no_dispersion || right.mass > 0. || right.dashpot > 0. ||
+          parameters.row.is_given())
         return false; // its mass matrix knows no single nodes, or they carry it
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
@@ -250,11 +252,17 @@ namespace ThermoContact
 
 
     std::unique_ptr<const ContactLaw>
-    resolve_law(const ContactParameters &contact, const SceneFields &fields)
+    resolve_law(const Parameters  &parameters,
+                const SceneFields &fields,
+                const BodyRow         &row)
     {
-      return (fields.has_displacement ? contact_law(contact.condition) :
-                                        no_obstacle())
-        .make(contact.law);
+      const bool can_meet =
+        fields.has_displacement &&
+        (row.is_given() ? row.n_contacts() > 0 :
+                          parameters.boundary.right.meets_obstacle());
+      return (can_meet ? contact_law(parameters.contact.condition) :
+                         no_obstacle())
+        .make(parameters.contact.law);
     }
 
 
@@ -263,12 +271,13 @@ namespace ThermoContact
     resolve_contact(const Parameters       &parameters,
                     const Expression *const gap,
                     const SceneFields      &fields,
+                    const BodyRow              &row,
                     const Material         &material,
                     const Scheme           &scheme,
                     const bool              has_prescribed_start)
     {
       SceneContact contact;
-      contact.law = resolve_law(parameters.contact, fields);
+      contact.law = resolve_law(parameters, fields, row);
       contact.gap = resolve_gap(parameters, gap);
       if (contact.law->is_active() && parameters.contact.rear_gap)
         contact.rear_gap = *parameters.contact.rear_gap;
@@ -279,7 +288,7 @@ namespace ThermoContact
       contact.nodes_oscillate =
         material.has_inertia() && !contact.has_massless_nodes &&
         contact.law->compliance() && contact.law->damping() == 0. &&
-        contact_nodes_oscillate(parameters, *contact.law);
+        !row.is_given() && contact_nodes_oscillate(parameters, *contact.law);
       contact.order = material.has_inertia() && !contact.has_massless_nodes ?
                         NodeOrder::inertial :
                       material.has_viscosity() && scheme.has_viscous_contact ?
@@ -367,6 +376,7 @@ namespace ThermoContact
     : scheme_choice(choose_scheme(written))
     , fields{parameters.model.fields != "displacement",
              parameters.model.fields != "temperature"}
+    , row(resolve_row(parameters))
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, parameters.boundary, fields))
@@ -381,7 +391,7 @@ namespace ThermoContact
                         heat,
                         gap_expression.get(),
                         fixed_end_motion != nullptr,
-                        resolve_law(parameters.contact, fields)->is_active()))
+                        resolve_law(parameters, fields, row)->is_active()))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
     , has_prescribed_start(
         resolve_prescribed_start(parameters,
@@ -393,6 +403,7 @@ namespace ThermoContact
     , contact(resolve_contact(parameters,
                               gap_expression.get(),
                               fields,
+                              row,
                               material,
                               scheme,
                               has_prescribed_start))

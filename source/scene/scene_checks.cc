@@ -474,6 +474,16 @@ namespace ThermoContact
     {
       const Parameters         &parameters = scene.parameters;
       const BoundaryParameters &boundary   = parameters.boundary;
+      for (const auto &[path, is_there] :
+           {std::pair("Boundary/right/Support = clamped",
+                      boundary.right.is_clamped()),
+            std::pair("Boundary/right/Temperature",
+                      boundary.right.temperature.has_value())})
+        if (is_there && parameters.dimension > 1)
+          refuse("Dimension",
+                 parameters.dimension,
+                 std::string("1, since ") + path,
+                 "Boundary/right/Heat exchange of a large value, or a rod");
       const auto                check_end = [&](const std::string                  &part,
                                  const BoundaryParameters::Attached &end,
                                  const bool is_contact_end) {
@@ -538,7 +548,8 @@ namespace ThermoContact
     void
     check_hold(const Scene &scene)
     {
-      if (!scene.has_free_end || !scene.fields.has_displacement)
+      if (!scene.has_free_end || !scene.fields.has_displacement ||
+          scene.row.is_given())
         return;
       const BoundaryParameters &boundary = scene.parameters.boundary;
       const Refusal support{"Boundary/left/Support", "free", "clamped"};
@@ -556,6 +567,206 @@ namespace ThermoContact
       support.since(scene.is_fixed_point,
                     "Solver/Step solver = fixed point",
                     "Solver/Step solver = monolithic");
+    }
+
+
+
+    /**
+     * Rigid contacts of a mass with another one or with the obstacle follow
+     * Newton's law of impact, (M10.6), one at a time.
+     */
+    void
+    check_contacts_of_masses(const Scene &scene)
+    {
+      const Parameters                  &parameters = scene.parameters;
+      const auto                         e = parameters.contact.restitution;
+      const std::vector<BodyParameters> &bodies = parameters.row.bodies;
+      if (e && !(*e >= 0. && *e <= 1.))
+        refuse("Contact/Restitution",
+               *e,
+               "none, or from 0 to 1",
+               "1 for a contact without loss");
+      const std::size_t n     = bodies.size();
+      const auto        is_of = [&](const std::size_t i) {
+        return bodies[i].is_mass() && (i + 1 < n ? bodies[i + 1].is_mass() :
+                                                   scene.row.meets_obstacle);
+      };
+      bool has_any = false;
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          has_any = has_any || is_of(i);
+          if (scene.contact.has_impacts() && i > 0 && is_of(i - 1) && is_of(i))
+            refuse("Bodies/" + bodies[i].name + "/Kind",
+                   "mass",
+                   "a rod, since rigid contacts of masses are on both sides of "
+                   "it",
+                   "a rod in its place, or an elastic Contact/Condition: who "
+                   "hits whom first is not defined");
+        }
+      const Refusal restitution{"Contact/Restitution",
+                                e ? text(*e) : "none",
+                                e ? "none" : "a number from 0 to 1"};
+      restitution.since(scene.contact.has_impacts() && has_any && !e,
+                        "rigid masses meet",
+                        "Contact/Restitution = 1: without loss; 0 is without "
+                        "rebound");
+      restitution.since(e && !(scene.contact.has_impacts() && has_any),
+                        "no rigid masses meet at a rigid contact",
+                        "Contact/Restitution = none: what rods do follows from "
+                        "their waves; Contact/Damping of an elastic obstacle "
+                        "takes energy");
+      Refusal{"Time/Scheme", scene.scheme.name, "box or automatic"}.since(
+        e && !scene.scheme.has_no_dispersion,
+        "Contact/Restitution is given",
+        "Time/Scheme = automatic");
+    }
+
+
+
+    /** Without inertia each body of a row is held, by an end or a neighbour. */
+    void
+    check_hold_of_row(const Scene &scene)
+    {
+      if (!scene.fields.has_displacement || scene.material.has_inertia())
+        return;
+      const BoundaryParameters &boundary = scene.parameters.boundary;
+      const bool                is_held_left =
+        !scene.has_free_end || boundary.left.spring > 0.;
+      const bool is_held_right =
+        boundary.right.is_clamped() || boundary.right.spring > 0.;
+      const std::size_t n_parts = scene.row.contacts.size() + 1;
+      const bool        are_held =
+        n_parts == 1 ? is_held_left || is_held_right :
+                       n_parts == 2 && is_held_left && is_held_right;
+      if (!are_held)
+        refuse("Model/Inertia",
+               0,
+               "above 0, since a body of the row is held by nothing",
+               "Model/Inertia above 0, Boundary/right/Support = clamped for "
+               "the last one, or Contacts/A B/Condition = bonded");
+    }
+
+
+
+    /** What a row of bodies cannot have, (M10.1). */
+    void
+    check_row(const Scene &scene)
+    {
+      check_contacts_of_masses(scene);
+      const Parameters &parameters = scene.parameters;
+      if (!scene.row.is_given())
+        return;
+      const BodyRow &row  = scene.row;
+      const auto     name = "section Bodies makes a row";
+      const auto     no = [&](const bool         is_there,
+                          const std::string &path,
+                          const std::string &value,
+                          const std::string &allowed,
+                          const std::string &remedy) {
+        Refusal{path, value, allowed}.since(is_there, name, remedy);
+      };
+      no(parameters.dimension > 1,
+         "Dimension",
+         text(parameters.dimension),
+         "1",
+         "Dimension = 1: bodies in two and three dimensions are one");
+      no(parameters.mesh.grading != 1.,
+         "Mesh/Grading",
+         text(parameters.mesh.grading),
+         "1",
+         "Bodies/NAME/Cells: each rod has its own");
+      no(scene.is_fixed_point,
+         "Solver/Step solver",
+         "fixed point",
+         "monolithic",
+         "Solver/Step solver = monolithic");
+      no(scene.scheme.integrator == IntegratorKind::energy_conserving,
+         "Time/Scheme",
+         scene.scheme.name,
+         "a scheme of another name",
+         "Time/Scheme = automatic");
+      no(parameters.time.start == "paper",
+         "Time/Start",
+         "paper",
+         "automatic or consistent",
+         "Time/Start = automatic");
+      no(parameters.contact.massless_nodes == "on",
+         "Contact/Massless nodes",
+         "on",
+         "automatic or off",
+         "Contact/Massless nodes = automatic");
+      no(scene.contact.is_two_sided(),
+         "Contact/Rear gap",
+         text(scene.contact.rear_gap),
+         "none",
+         "Contact/Rear gap = none");
+      no(!parameters.contact.gap_expression.empty(),
+         "Contact/Gap",
+         parameters.contact.gap_expression,
+         "a number",
+         "a mass that is moved instead of the obstacle");
+      const auto no_load = [](const std::string &path,
+                              const double       value,
+                              const std::string &mass) {
+        Refusal{path, text(value), "0"}.since(
+          value > 0.,
+          "the row ends there with the mass " + mass,
+          "Bodies/" + mass + "/Mass: springs and dashpots are of rods");
+      };
+      const auto no_loads = [&](const std::string                  &part,
+                                const BoundaryParameters::Attached &end,
+                                const BodyParameters               &body) {
+        if (!body.is_mass())
+          return;
+        no_load(part + "Spring", end.spring, body.name);
+        no_load(part + "Dashpot", end.dashpot, body.name);
+        no_load(part + "Mass", end.mass, body.name);
+      };
+      no_loads("Boundary/left/",
+               parameters.boundary.left,
+               parameters.row.bodies.front());
+      no_loads("Boundary/right/",
+               parameters.boundary.right,
+               parameters.row.bodies.back());
+      Refusal{"Boundary/left/Support",
+              parameters.boundary.left.support,
+              "free"}
+        .since(row.begins_with_mass() && scene.fields.has_displacement &&
+                 !scene.has_free_end,
+               "the row begins with a mass",
+               "Boundary/left/Support = free, or a rod before it");
+      Refusal{"Boundary/left/Traction",
+              parameters.boundary.left.traction,
+              "0"}
+        .since(row.begins_with_mass() && scene.sources.has_left_traction,
+               "the row begins with a mass",
+               "Sources/Body force, which acts on masses, too");
+      for (const BodyParameters &body : parameters.row.bodies)
+        {
+          const std::string path = "Bodies/" + body.name;
+          Refusal{path + "/Kind", "mass", "rod"}.since(
+            body.is_mass() && scene.fields.has_displacement &&
+              !scene.material.has_inertia(),
+            no_inertia,
+            "Model/Inertia above 0: a mass is inertia alone");
+        }
+      const bool has_impacts =
+        scene.contact.law->is_rigid() && scene.contact.has_mass();
+      Refusal{"Time/Scheme", scene.scheme.name, "box or automatic"}.since(
+        has_impacts && row.n_contacts() > 1 &&
+          !scene.scheme.has_no_dispersion,
+        text("the row has ",
+             row.n_contacts(),
+             " rigid contacts of bodies with inertia"),
+        "Time/Scheme = automatic, or Contact/Condition = normal compliance");
+      for (const RowContact &contact : row.contacts)
+        if (contact.exchange && !scene.heat.exchange->is_constant())
+          refuse("Contacts/" + contact.name + "/Heat exchange",
+                 *contact.exchange,
+                 "none, since Boundary/right/Heat exchange is an expression",
+                 "one of them: a number for each contact, or the expression "
+                 "for all");
+      check_hold_of_row(scene);
     }
 
 
@@ -641,9 +852,44 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** The same of the rods of a row. */
+    std::string
+    dispersion_warning_of_row(const Scene &scene)
+    {
+      const Parameters   &parameters = scene.parameters;
+      const auto          size       = parameters.time.step_size;
+      const QuantityUnits units(parameters);
+      if (!scene.has_midpoint_mass || !size)
+        return "";
+      std::vector<std::string> others;
+      for (const BodyParameters &body : parameters.row.bodies)
+        if (!body.is_mass())
+          if (const double passage =
+                passage_of_rod(parameters, body) / body.cells;
+              std::abs(*size / passage - 1.) > Tolerances::same_step_size)
+            others.push_back(body.name + " (" + units.text("time", passage) +
+                             ")");
+      return others.empty() ?
+               "" :
+               text("Time/Step size = ",
+                    units.text("time", *size),
+                    ": waves travel without dispersion where they pass a cell "
+                    "in that time, and not in ",
+                    join_words(others),
+                    "; remedy: lengths whose passages have a common measure, "
+                    "or more Mesh/Cells");
+    }
+  } // namespace
+
+
+
   std::string
   dispersion_warning(const Scene &scene)
   {
+    if (scene.row.is_given())
+      return dispersion_warning_of_row(scene);
     const auto size = scene.parameters.time.step_size;
     // in which a wave passes a cell
     const double passage = scene.parameters.mesh.contact_spacing() *
@@ -757,6 +1003,7 @@ namespace ThermoContact
     check_dispersion(scene);
     check_attached(scene);
     check_hold(scene);
+    check_row(scene);
     check_support(scene);
     check_linear_solver(scene);
     check_error_bars(parameters);

@@ -7,6 +7,7 @@
 #include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/method/critical_step.h>
+#include <thermocontact/scene/row.h>
 #include <thermocontact/scene/scheme_choice.h>
 
 #include <deal.II/base/numbers.h>
@@ -582,9 +583,72 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** The scheme and the cells of a row of bodies. */
+    SchemeChoice
+    choose_scheme_of_row(const Parameters &written)
+    {
+      const bool is_automatic = written.time.scheme == automatic_scheme;
+      const bool has_waves    = written.model.inertia > 0. &&
+                             written.model.fields != "temperature";
+      const std::string against = entry_against_box(written);
+      const bool        is_box  = is_automatic ?
+                                    has_waves && against.empty() :
+                                    scheme(written.time.scheme).has_no_dispersion;
+      SchemeChoice      choice{
+        written,
+             {},
+        !is_automatic      ? "" :
+        is_box             ? "contact in rows of bodies with inertia" :
+        !has_waves         ? "without inertia there are no waves" :
+                             "box cannot have " + against,
+        false};
+      Parameters &parameters = choice.parameters;
+      if (is_automatic)
+        {
+          parameters.time.scheme =
+            is_box ? find_scheme([](const Scheme &s) {
+                       return s.has_no_dispersion;
+                     })->name :
+                     default_scheme().name;
+          choice.entries.push_back({"Time/Scheme", parameters.time.scheme});
+        }
+      MeshParameters &mesh = parameters.mesh;
+      if (mesh.degree == 0)
+        {
+          mesh.degree = is_box ? 1 : MeshParameters::degree_by_default;
+          choice.entries.push_back({"Mesh/Degree", text(mesh.degree)});
+        }
+      choose_row_cells(std::ldexp(mesh.cells > 0 ? mesh.cells :
+                                  is_box ?
+                                    cells_of_tolerance(written.time.tolerance) :
+                                    MeshParameters::cells_by_default,
+                                  mesh.refinements),
+                       is_box,
+                       parameters);
+      for (unsigned int i = 0; i < parameters.row.bodies.size(); ++i)
+        if (const BodyParameters &body = parameters.row.bodies[i];
+            body.cells != written.row.bodies[i].cells)
+          choice.entries.push_back(
+            {"Bodies/" + body.name + "/Cells", text(body.cells)});
+      mesh.cells       = resolve_row(parameters).cells.size();
+      mesh.refinements = 0;
+      if (is_box && !parameters.time.step_size && has_waves)
+        if (const double passage = passage_of_row_cell(parameters);
+            passage > 0.)
+          parameters.time.step_size = passage;
+      return choice;
+    }
+  } // namespace
+
+
+
   SchemeChoice
   choose_scheme(const Parameters &written)
   {
+    if (written.row.is_given())
+      return choose_scheme_of_row(written);
     if (written.time.scheme != automatic_scheme)
       return with_scheme(written, scheme(written.time.scheme), "");
     const std::string reason = reason_for_default(written);

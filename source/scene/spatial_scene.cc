@@ -24,9 +24,12 @@ namespace ThermoContact
     , lateral_exchange(scene.heat.lateral_exchange)
     , has_free_end(scene.has_free_end)
     , has_given_temperature(scene.heat.has_given_temperature)
+    , has_right_temperature(scene.heat.right_temperature.has_value())
+    , has_clamped_right(scene.parameters.boundary.right.is_clamped())
     , left_exchange(scene.heat.left_exchange)
     , left(scene.parameters.boundary.left)
     , right(scene.parameters.boundary.right)
+    , row(scene.row)
     , gap(scene.contact.gap)
   {
     if (scene.contact.law->is_active() &&
@@ -76,12 +79,12 @@ namespace ThermoContact
     members(const SpatialScene &all)
     {
       const auto
-        &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v] =
-          all;
+        &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x,
+          y] = all;
       const auto others =
-        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, u, v);
+        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, w, x, y);
       return std::tuple_cat(
-        members(a), members(b), members(c), members(s), members(t), others);
+        members(a), members(b), members(c), members(u), members(v), others);
     }
   } // namespace
 

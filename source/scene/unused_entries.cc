@@ -61,6 +61,7 @@ namespace ThermoContact
                      "Boundary/left/Spring",
                      "Boundary/left/Dashpot",
                      "Boundary/left/Mass",
+                     "Boundary/right/Support",
                      "Boundary/right/Traction",
                      "Boundary/right/Spring",
                      "Boundary/right/Dashpot",
@@ -81,6 +82,7 @@ namespace ThermoContact
                      "Boundary/sides/Surroundings",
                      "Initial values/Temperature",
                      "Sources/Heat source",
+                     "Boundary/right/Temperature",
                      "Boundary/right/Heat flux"},
                     fields);
       unused.add_if(model.coupling == 0.,
@@ -99,6 +101,43 @@ namespace ThermoContact
       unused.add_if(scene.material.is_static(),
                     {"Initial values/Displacement"},
                     "Model/Inertia = 0 and Viscosity = 0");
+    }
+
+
+
+    /** What bodies of a row do not have, and the scene without one. */
+    void
+    add_by_row(const Parameters &parameters, Collector &unused)
+    {
+      const RowParameters &row = parameters.row;
+      unused.add_if(row.is_given(),
+                    {"Initial values/Temperature",
+                     "Initial values/Displacement",
+                     "Initial values/Velocity"},
+                    "section Bodies has them");
+      for (const BodyParameters &body : row.bodies)
+        {
+          const std::string section = "Bodies/" + body.name + "/";
+          const auto        add = [&](const bool         is_unused,
+                               const Paths       &names,
+                               const std::string &kind) {
+            for (const std::string &name : names)
+              unused.add_if(is_unused,
+                            {section + name},
+                            section + "Kind = " + kind);
+          };
+          add(body.is_mass(),
+              {"Length",
+               "Cells",
+               "Section",
+               "Stiffness",
+               "Density",
+               "Viscosity",
+               "Coupling",
+               "Conductivity"},
+              "mass");
+          add(!body.is_mass(), {"Mass"}, "rod");
+        }
     }
 
 
@@ -135,6 +174,7 @@ namespace ThermoContact
     unused.add_if(parameters.dimension == 1 && scene.has_sliding_end,
                   {"Boundary/left/Support"},
                   "Dimension = 1");
+    add_by_row(parameters, unused);
     const BoundaryParameters::Left &left = parameters.boundary.left;
     unused.add_if(!scene.has_free_end,
                   {"Boundary/left/Traction",
@@ -168,9 +208,32 @@ namespace ThermoContact
                    "Contact/Massless nodes",
                    "Time/Locate contact events"},
                   condition);
-    unused.add_if(!scene.heat.has_exchange(),
+    const BoundaryParameters::Right &right = parameters.boundary.right;
+    const std::string                given =
+      "Boundary/right/Temperature = " +
+      text(right.temperature.value_or(0.));
+    unused.add_if(!scene.heat.has_exchange() && !right.temperature,
                   {"Boundary/right/Surroundings"},
                   "Boundary/right/Heat exchange = 0");
+    unused.add_if(right.temperature.has_value(),
+                  {"Boundary/right/Surroundings", "Boundary/right/Heat flux"},
+                  given);
+    unused.add_if(right.temperature && !parameters.row.is_given(),
+                  {"Boundary/right/Heat exchange"},
+                  given);
+    const std::string support = "Boundary/right/Support = " + right.support;
+    unused.add_if(right.is_clamped(),
+                  {"Boundary/right/Traction",
+                   "Boundary/right/Spring",
+                   "Boundary/right/Dashpot",
+                   "Boundary/right/Mass"},
+                  support);
+    unused.add_if(!right.meets_obstacle() && !parameters.row.is_given(),
+                  {"Contact/Gap",
+                   "Contact/Rear gap",
+                   "Contact/Massless nodes",
+                   "Time/Locate contact events"},
+                  support);
     unused.add_if(!scene.heat.has_lateral_exchange(),
                   {"Boundary/sides/Surroundings"},
                   "Boundary/sides/Heat exchange = 0");

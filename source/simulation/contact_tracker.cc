@@ -22,6 +22,9 @@ namespace ThermoContact
     book(const StepResult &impact, StepResult &result)
     {
       result.impulse += impact.impulse;
+      result.impulses.resize(impact.impulses.size(), 0.);
+      for (unsigned int i = 0; i < impact.impulses.size(); ++i)
+        result.impulses[i] += impact.impulses[i];
       result.work += impact.work;
       result.numerical_dissipation += impact.numerical_dissipation;
     }
@@ -33,18 +36,23 @@ namespace ThermoContact
   ContactTracker<dim>::ContactTracker(Body<dim> &body, Reset<dim> &reset)
     : body(body)
     , reset(reset)
-    , locator(body.law(),
-              body.scene.contact.locates_events,
-              body.scene.contact.order,
-              body.scene.parameters.time.has_error_control() ?
-                body.scene.parameters.time.tolerance :
-                Tolerances::fixed_step_event,
-              !body.scene.fields.has_temperature ||
-                body.scene.heat.exchange->is_constant(),
-              !body.scene.material.is_static())
     , n_old_events(0)
     , n_retakes(0)
-  {}
+  {
+    const unsigned int n =
+      body.scene.row.is_given() ? body.contact_end().n_nodes() : 1;
+    locators.reserve(n);
+    for (unsigned int i = 0; i < n; ++i)
+      locators.emplace_back(body.law(),
+                            body.scene.contact.locates_events && n == 1,
+                            body.scene.contact.order,
+                            body.scene.parameters.time.has_error_control() ?
+                              body.scene.parameters.time.tolerance :
+                              Tolerances::fixed_step_event,
+                            !body.scene.fields.has_temperature ||
+                              body.scene.heat.exchange->is_constant(),
+                            !body.scene.material.is_static());
+  }
 
 
 
@@ -54,7 +62,19 @@ namespace ThermoContact
                              std::vector<ContactEvent> &events)
   {
     get_contact_values(body, initial, next);
-    locator.start(next, events);
+    if (!is_of_several())
+      return locators[0].start(next, events);
+    std::vector<ContactEvent> all;
+    for (unsigned int i = 0; i < locators.size(); ++i)
+      {
+        locators[i].start(next.of_node(i), events);
+        for (ContactEvent &event : events)
+          {
+            event.contact = i;
+            all.push_back(event);
+          }
+      }
+    events = all;
   }
 
 
@@ -65,10 +85,10 @@ namespace ThermoContact
                              const StepResult &result,
                              const double      mechanical_energy) const
   {
-    if (result.is_prescribed || locator.mode() == ContactMode::unilateral)
+    if (result.is_prescribed || mode() == ContactMode::unilateral)
       return {};
     get_contact_values(body, result.state, next);
-    return locator.examine(next,
+    return locators[0].examine(next,
                            time_step.target == TimeStep::event,
                            {mechanical_energy,
                             std::sqrt(2. * body.scene.material.inertia *
@@ -90,7 +110,7 @@ namespace ThermoContact
         finding.changes_all_nodes)
       switch_state(finding, accepted, energy);
     else
-      locator.finish_by_law();
+      locators[0].finish_by_law();
     return {};
   }
 
@@ -102,7 +122,8 @@ namespace ThermoContact
                                     const State                 &accepted,
                                     const EnergyTerms           &energy)
   {
-    const bool is_closed = locator.mode() == ContactMode::closed;
+    EventLocator &locator   = locators[0];
+    const bool    is_closed = locator.mode() == ContactMode::closed;
     if (impacted && body.scene.contact.has_mass())
       {
         if (!is_closed)
@@ -133,8 +154,42 @@ namespace ThermoContact
   void
   ContactTracker<dim>::take_back(std::vector<ContactEvent> &events)
   {
-    locator.restore(old_progress);
+    for (unsigned int i = 0; i < locators.size(); ++i)
+      locators[i].restore(old_progress[i]);
     events.resize(n_old_events);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::accept_several(const StepResult          &result,
+                                      std::vector<ContactEvent> &events)
+  {
+    get_contact_values(body, result.state, next);
+    events.insert(events.end(), result.impacts.begin(), result.impacts.end());
+    for (unsigned int i = 0; i < locators.size(); ++i)
+      {
+        std::vector<ContactEvent> of_contact;
+        locators[i].accept(next.of_node(i),
+                           {},
+                           of_contact,
+                           i < result.contact_changes.size() ?
+                             result.contact_changes[i] :
+                             std::nullopt);
+        for (ContactEvent &event : of_contact)
+          {
+            event.contact = i;
+            event.time =
+              std::min(event.time, body.scene.parameters.time.end_time);
+            events.push_back(event);
+          }
+      }
+    std::stable_sort(events.begin() + n_old_events,
+                     events.end(),
+                     [](const ContactEvent &a, const ContactEvent &b) {
+                       return a.time < b.time;
+                     });
   }
 
 
@@ -145,15 +200,28 @@ namespace ThermoContact
                               StepResult                  &result,
                               std::vector<ContactEvent>   &events)
   {
-    old_progress = locator.progress();
+    EventLocator &locator = locators[0];
+    old_progress.resize(locators.size());
+    for (unsigned int i = 0; i < locators.size(); ++i)
+      old_progress[i] = locators[i].progress(); // in the memory of the last one
     n_old_events = events.size();
+    if (is_of_several())
+      {
+        accept_several(result, events);
+        return reset.finish_pressure(mode(), finding, result);
+      }
     if (result.is_prescribed) // it supposes nothing
       locator.finish_by_law();
     const ContactMode mode = locator.mode();
     if (!result.closed_nodes.empty() && body.law().is_rigid())
       reset.settle_velocities(result.closed_nodes, result.state);
     get_contact_values(body, result.state, next);
-    locator.accept(next, finding, events, result.contact_change);
+    events.insert(events.end(), result.impacts.begin(), result.impacts.end());
+    locator.accept(next,
+                   finding,
+                   events,
+                   result.contact_changes.empty() ? std::nullopt :
+                                                    result.contact_changes[0]);
     // a node without mass does not fly when it leaves, and then follows waves
     // shorter than those that the mesh has
     if (body.scene.contact.is_in_equilibrium() &&
@@ -193,6 +261,7 @@ namespace ThermoContact
     // its velocity is that of the step, as are the rates that it followed
     if (body.scene.material.is_static())
       return;
+    EventLocator &locator = locators[0]; // the obstacle of a row rests
     State               &state = result.state;
     std::vector<NodeLaw> before, behind;
     std::vector<double>  position;
@@ -233,7 +302,12 @@ namespace ThermoContact
   {
     ContactValues values;
     get_contact_values(body, result.state, values);
-    std::vector<bool> is_closed = locator.closed_nodes(values);
+    std::vector<bool> is_closed;
+    if (is_of_several())
+      for (unsigned int i = 0; i < locators.size(); ++i)
+        is_closed.push_back(locators[i].closed_nodes(values.of_node(i))[0]);
+    else
+      is_closed = locators[0].closed_nodes(values);
     for (unsigned int i = 0; i < result.closed_nodes.size(); ++i)
       if (result.closed_nodes[i])
         is_closed[i] = true;
@@ -247,10 +321,20 @@ namespace ThermoContact
   ContactTracker<dim>::jump(const State               &state,
                             std::vector<ContactEvent> &events)
   {
-    get_contact_values(body, state, next);
-    locator.finish_by_law();
     const std::size_t n_events = events.size();
-    locator.accept(next, {}, events);
+    if (is_of_several())
+      {
+        StepResult at_jump;
+        at_jump.state = state;
+        n_old_events  = n_events;
+        accept_several(at_jump, events);
+      }
+    else
+      {
+        get_contact_values(body, state, next);
+        locators[0].finish_by_law();
+        locators[0].accept(next, {}, events);
+      }
     if (body.scene.material.is_static()) // moved at once
       for (std::size_t i = n_events; i < events.size(); ++i)
         events[i].velocity = nan;

@@ -41,8 +41,11 @@ namespace ThermoContact
     double
     allowed_energy(const Scene &scene)
     {
-      return scene.scheme.can_create_energy &&
-                 !scene.parameters.time.has_error_control() ?
+      // the fronts of a row are sharp where all rods have the same passage
+      const bool can_create = scene.scheme.can_create_energy ||
+                              (scene.scheme.has_no_dispersion &&
+                               !dispersion_warning(scene).empty());
+      return can_create && !scene.parameters.time.has_error_control() ?
                Tolerances::energy_of_fixed_steps :
                Tolerances::energy_of_rounding;
     }

@@ -26,7 +26,8 @@ namespace ThermoContact
       return body.discretization.largest_constrained(
         Field::temperature,
         state.temperature,
-        body.scene.heat.fixed_end_temperature);
+        body.scene.heat.fixed_end_temperature,
+        body.scene.heat.right_temperature.value_or(0.));
     }
 
 
@@ -141,8 +142,8 @@ namespace ThermoContact
     stay_before_obstacle(const Body<dim> &body, State &state)
     {
       if (!body.scene.contact.law->is_rigid() ||
-          body.scene.material.is_static())
-        return;
+          body.scene.material.is_static() || body.scene.row.is_given())
+        return; // the bodies of a row are told where they are
       const unsigned int component =
         body.discretization.first_component(Field::displacement);
       for (const auto &[i, entry] :
@@ -298,6 +299,7 @@ namespace ThermoContact
       Vector unused(state.temperature);
       projection.project(*body.data.initial_velocity, unused, state.velocity);
     }
+    discretization.set_zero_in_gaps(state);
     check_values(body, state, warnings);
     check_overlap(body, state);
     stay_before_obstacle(body, state);
@@ -306,7 +308,9 @@ namespace ThermoContact
       for (const unsigned int entry :
            discretization.constrained_entries(Field::temperature))
         state.temperature.begin()[entry] =
-          body.scene.heat.fixed_end_temperature;
+          discretization.is_right_end(entry) ?
+            *body.scene.heat.right_temperature :
+            body.scene.heat.fixed_end_temperature;
 
     set_pressures_of_law(body, state);
     reset.complete(state);

@@ -18,13 +18,17 @@ namespace ThermoContact
     if (body.scene.fields.has_displacement)
       {
         const auto &geometry = body.discretization.geometry();
+        const BodyRow  &row      = body.scene.row;
         const auto  place_at = [&](const double x) {
           return Place<dim>{geometry.on_axis(x), geometry.on_axis(x)};
         };
         on_axis = std::make_unique<PointValues<dim>>(body.scene,
                                                      body.discretization,
                                                      std::vector<Place<dim>>{
-                                                       place_at(0.5)});
+                                                       place_at(
+                                                         row.is_given() ?
+                                                           row.middle() :
+                                                           0.5)});
       }
     if (!body.scene.fields.has_temperature)
       return;
@@ -57,6 +61,68 @@ namespace ThermoContact
       measure_displacement(state, record);
     if (body.scene.fields.has_temperature)
       measure_temperature(state, record);
+    if (body.scene.row.is_given())
+      measure_row(state, record);
+  }
+
+
+
+  template <int dim>
+  void
+  Measurements<dim>::measure_row(const State &state, StepRecord &record)
+  {
+    const ContactEnd<dim> &end    = body.contact_end();
+    const SceneFields     &fields = body.scene.fields;
+    const unsigned int     n      = end.n_nodes();
+    record.contacts.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        ContactRecord &contact = record.contacts[i];
+        contact.time           = state.time;
+        contact.gap = contact.velocity = contact.heat_flux = nan;
+        contact.contact_force = state.contact_pressure[i];
+        contact.in_contact    = state.contact_pressure[i] > 0.;
+      }
+    if (fields.has_displacement)
+      {
+        get_contact_values(body, state, row_values);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            record.contacts[i].gap = 0. - row_values.front.penetration[i];
+            record.contacts[i].velocity = row_values.front.velocity[i];
+          }
+        const unsigned int last = body.discretization.entry_of_right_end(
+          Field::displacement);
+        record.displacement_end = state.displacement.begin()[last];
+        record.velocity_end     = state.velocity.begin()[last];
+        // where nothing presses on a rod its nodes may alternate, (C6.13)
+        const BodyRow &row = body.scene.row;
+        if (body.scene.has_midpoint_mass && !row.meets_obstacle &&
+            row.bodies.back().n_cells > 0)
+          record.velocity_end =
+            0.5 * (record.velocity_end + state.velocity.begin()[last - 1]);
+        record.stress_end       = nan;
+        double largest          = 0.;
+        for (const double p : state.contact_pressure)
+          if (std::abs(p) > std::abs(largest))
+            largest = p;
+        record.contact_force = largest;
+      }
+    if (fields.has_temperature)
+      {
+        end.get_values(Field::temperature, state.temperature, contact_values);
+        for (unsigned int i = 0; i < n; ++i)
+          record.contacts[i].heat_flux =
+            end.flux(i,
+                     body.scene.heat.exchange->is_constant() ?
+                       end.nodes()[i].own_exchange :
+                       state.exchange_coefficient[i],
+                     contact_values[i],
+                     body.scene.heat.obstacle_temperature);
+        record.heat_flux_end   = record.contacts.back().heat_flux;
+        record.temperature_end = state.temperature.begin()
+          [body.discretization.entry_of_right_end(Field::temperature)];
+      }
   }
 
 
@@ -163,7 +229,10 @@ namespace ThermoContact
     record.temperature_end = body.contact_end().mean(contact_values);
     for (unsigned int i = 0; i < contact_values.size(); ++i)
       contact_values[i] =
-        body.scene.heat.flux(state.exchange_coefficient[i], contact_values[i]);
+        body.contact_end().flux(i,
+                                state.exchange_coefficient[i],
+                                contact_values[i],
+                                body.scene.heat.obstacle_temperature);
     if (const Function<dim> *warming = body.data.obstacle_warming.get())
       for (unsigned int i = 0; i < contact_values.size(); ++i)
         contact_values[i] -=

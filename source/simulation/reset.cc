@@ -332,7 +332,10 @@ namespace ThermoContact
                                           flux);
             for (unsigned int i = 0; i < flux.size(); ++i)
               flux[i] =
-                body.scene.heat.flux(state.exchange_coefficient[i], flux[i]);
+                body.contact_end().flux(i,
+                                        state.exchange_coefficient[i],
+                                        flux[i],
+                                        body.scene.heat.obstacle_temperature);
             body.contact_end().subtract_load(Field::temperature,
                                              flux,
                                              1.,
@@ -458,8 +461,13 @@ namespace ThermoContact
       body.discretization.constrained_entries(Field::temperature);
     Vector change = body.discretization.make_vector(Field::temperature);
     Vector heat(change), inside(change);
+    const auto given = [&](const unsigned int entry) {
+      return body.discretization.is_right_end(entry) ?
+               *body.scene.heat.right_temperature :
+               temperature;
+    };
     for (const unsigned int entry : entries)
-      change.begin()[entry] = temperature - state.temperature.begin()[entry];
+      change.begin()[entry] = given(entry) - state.temperature.begin()[entry];
     body.equations.heat_mass.vmult(heat, change);
     heat *= -1.;
     body.equations.zero_constrained(Field::temperature, heat);
@@ -476,7 +484,7 @@ namespace ThermoContact
     for (const unsigned int entry : entries)
       {
         work += heat.begin()[entry] * excess.begin()[entry];
-        state.temperature.begin()[entry] = temperature;
+        state.temperature.begin()[entry] = given(entry);
       }
     return Utilities::MPI::sum(work, body.discretization.communicator()) /
            body.discretization.geometry().cross_section();
@@ -521,7 +529,9 @@ namespace ThermoContact
       state.time == 0. &&
       body.discretization.largest_constrained(Field::temperature,
                                               state.temperature,
-                                              heat.fixed_end_temperature) > 0.;
+                                              heat.fixed_end_temperature,
+                                              heat.right_temperature.value_or(
+                                                0.)) > 0.;
     const bool jumps =
       at != nullptr && (at->jumping & fixed_end_temperature) != 0;
     if (starts)
@@ -584,7 +594,7 @@ namespace ThermoContact
         state.velocity += change;
         for (unsigned int i = 0; i < impulses.size(); ++i)
           work -= end.share(i) * impulses[i] * laws[i].local_rate();
-        result.impulse += end.mean(impulses);
+        result.add_impulse(1., impulses, body);
       }
     put_on_obstacle(body, state);
     if (!body.scene.material.has_inertia())

@@ -20,6 +20,7 @@ namespace ThermoContact
     {
       const ContactLaw &law = *scene.contact.law;
       return scene.parameters.dimension == 1 && scene.scheme.order > 1 &&
+             !scene.row.is_given() &&
              !scene.scheme.has_mean_velocity &&
              !scene.scheme.has_no_dispersion && !law.is_rigid() &&
              law.damping() == 0. && !scene.contact.is_two_sided();
@@ -89,5 +90,7 @@ namespace ThermoContact
     record.work += result.work;
     record.numerical_dissipation += result.numerical_dissipation;
     record.contact_impulse += result.impulse;
+    for (unsigned int i = 0; i < result.impulses.size(); ++i)
+      record.contacts[i].contact_impulse += result.impulses[i];
   }
 } // namespace ThermoContact

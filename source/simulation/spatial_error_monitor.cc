@@ -101,8 +101,9 @@ namespace ThermoContact
     : scene(scene)
     , n_cell_nodes(discretization.degree() + 1)
   {
-    // the steps of the midpoint rule on such a mesh have no error inside cells
-    if (dim > 1 || scene.has_midpoint_mass)
+    // the steps of the midpoint rule on such a mesh have no error inside cells,
+    // and the cells of a row are not all of one body
+    if (dim > 1 || scene.has_midpoint_mass || scene.row.is_given())
       return;
     add_cells(discretization);
     const unsigned int p = discretization.degree();

@@ -67,7 +67,7 @@ namespace ThermoContact
     if (face->boundary_id() == fixed_boundary_id)
       return left_coefficient;
     if (face->boundary_id() == contact_boundary_id)
-      return end_coefficient;
+      return discretization.has_right_temperature() ? 0. : end_coefficient;
     return face->boundary_id() == first_lateral_id &&
                discretization.geometry().has_axis_at_side() ?
              0. :

@@ -137,7 +137,9 @@ namespace ThermoContact
                               const Function<dim>       &gap)
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
-    , all_nodes_(find_nodes(discretization, gap))
+    , all_nodes_(discretization.row().is_given() ?
+                   find_nodes_of_row(discretization) :
+                   find_nodes(discretization, gap))
     , nodes_(all_nodes_)
   {
     for (const Field::Block field : all_fields)
@@ -152,8 +154,68 @@ namespace ThermoContact
             if (nodes_[i].weight > 0.)
               entries_[field].push_back(all_entries_[field].back());
           }
+    for (const Field::Block field : all_fields) // one process has a row
+      for (unsigned int i = 0; i < nodes_.size(); ++i)
+        if (const auto partner = nodes_[i].partner[field];
+            partner != numbers::invalid_dof_index)
+          partners_[field].emplace_back(i, partner);
     while (nodes_.back().weight == 0.)
       nodes_.pop_back();
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactNode<dim>>
+  ContactEnd<dim>::find_nodes_of_row(
+    const Discretization<dim> &discretization) const
+  {
+    const BodyRow                &row = discretization.row();
+    const FiniteElement<dim> &fe  = discretization.finite_element();
+    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    std::vector<ContactNode<dim>>        nodes;
+    const auto dof_at = [&](const unsigned int vertex) {
+      Dofs at;
+      for (const Field::Block field : all_fields)
+        at[field] =
+          discretization.has_field(field) ?
+            dofs[fe.component_to_system_index(
+              discretization.first_component(field), vertex)] -
+              discretization.first_dof(field) :
+            numbers::invalid_dof_index;
+      return at;
+    };
+    const double weight = cross_section;
+    unsigned int next   = 0;
+    const auto   exchange_of = [&](const RowContact &contact) {
+      return contact.exchange.value_or(discretization.exchange_coefficient());
+    };
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      {
+        const unsigned int number = cell->active_cell_index();
+        cell->get_dof_indices(dofs);
+        if (next < row.contacts.size() && row.contacts[next].cell == number)
+          {
+            nodes.push_back({cell->vertex(0),
+                             dof_at(0),
+                             weight,
+                             row.contacts[next].gap,
+                             exchange_of(row.contacts[next]),
+                             dof_at(1)});
+            ++next;
+          }
+        // where nothing can meet, the end is a node without a law
+        if (number + 1 == row.cells.size() &&
+            (row.meets_obstacle || row.contacts.empty()))
+          nodes.push_back(
+            {cell->vertex(1),
+             dof_at(1),
+             weight,
+             row.gap_of_obstacle,
+             row.meets_obstacle ? discretization.exchange_coefficient() : 0.});
+      }
+    return nodes;
   }
 
 
@@ -200,11 +262,14 @@ namespace ThermoContact
   template <int dim>
   void
   ContactEnd<dim>::gather(const Entries       &entries,
+                          const Field::Block   field,
                           const Vector        &vector,
                           std::vector<double> &values) const
   {
     for (const auto &[node, entry] : entries)
       values[node] = vector.begin()[entry];
+    for (const auto &[node, entry] : partners_[field])
+      values[node] -= vector.begin()[entry];
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)
       Utilities::MPI::sum(values, communicator, values);
   }
@@ -218,7 +283,7 @@ namespace ThermoContact
                               std::vector<double> &values) const
   {
     values.assign(n_nodes(), 0.);
-    gather(entries_[field], vector, values);
+    gather(entries_[field], field, vector, values);
   }
 
 
@@ -230,7 +295,7 @@ namespace ThermoContact
                                   std::vector<double> &values) const
   {
     values.assign(n_all_nodes(), 0.);
-    gather(all_entries_[field], vector, values);
+    gather(all_entries_[field], field, vector, values);
   }
 
 
@@ -243,6 +308,24 @@ namespace ThermoContact
   {
     for (const auto &[node, entry] : all_entries_[field])
       vector.begin()[entry] = values[node];
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEnd<dim>::add_to_value(const Field::Block field,
+                                const unsigned int node,
+                                const double       change,
+                                Vector            &vector) const
+  {
+    const double part = nodes_[node].meets_body() ? 0.5 * change : change;
+    for (const auto &[i, entry] : entries_[field])
+      if (i == node)
+        vector.begin()[entry] += part;
+    for (const auto &[i, entry] : partners_[field])
+      if (i == node)
+        vector.begin()[entry] -= part;
   }
 
 
@@ -271,6 +354,8 @@ namespace ThermoContact
   {
     for (const auto &[node, entry] : entries_[field])
       load.begin()[entry] -= factor * nodes_[node].weight * densities[node];
+    for (const auto &[node, entry] : partners_[field])
+      load.begin()[entry] += factor * nodes_[node].weight * densities[node];
   }
 
 
@@ -286,6 +371,9 @@ namespace ThermoContact
     for (const auto &[i, entry] : entries_[field])
       if (i == node)
         load.begin()[entry] = value * nodes_[node].weight;
+    for (const auto &[i, entry] : partners_[field])
+      if (i == node)
+        load.begin()[entry] = 0. - value * nodes_[node].weight;
   }
 
 

@@ -48,6 +48,12 @@ namespace ThermoContact
     , dof_handler_(*triangulation)
 
     , constrained_entries_(2)
+    , is_held_left_{{scene.row.begins_with_mass() ||
+                       scene.has_given_temperature,
+                     scene.row.begins_with_mass() || !scene.has_free_end}}
+    , is_held_right_{{scene.has_right_temperature, scene.has_clamped_right}}
+    , row_(scene.row)
+    , exchange_coefficient_(scene.exchange_coefficient)
   {
     make_grid(scene.mesh, scene.has_matrices ? 0 : scene.mesh.n_halvings());
     distribute_dofs(scene.fields);
@@ -66,11 +72,15 @@ namespace ThermoContact
   double
   Discretization<dim>::largest_constrained(const Field::Block field,
                                            const Vector      &vector,
-                                           const double       value) const
+                                           const double       value,
+                                           const double       at_right) const
   {
     double largest = 0.;
     for (const unsigned int entry : constrained_entries(field))
-      largest = std::max(largest, std::abs(vector.begin()[entry] - value));
+      largest = std::max(largest,
+                         std::abs(vector.begin()[entry] -
+                                  (is_right_end(entry) ? at_right :
+                                                                value)));
     return Utilities::MPI::max(largest, communicator());
   }
 
@@ -87,6 +97,15 @@ namespace ThermoContact
     const Point<dim> corner = geometry_.corner();
 
     const bool colorize = true;
+    if (row_.is_given())
+      {
+        std::vector<std::vector<double>> sizes(dim);
+        for (const RowCell &cell : row_.cells)
+          sizes[0].push_back(cell.size);
+        GridGenerator::subdivided_hyper_rectangle(
+          *triangulation, sizes, Point<dim>(), corner, colorize);
+        return;
+      }
     if (mesh.grading == 1. && mesh.grading_across == 1.)
       GridGenerator::subdivided_hyper_rectangle(
         *triangulation, repetitions, Point<dim>(), corner, colorize);
@@ -154,6 +173,8 @@ namespace ThermoContact
   Discretization<dim>::held_components(const SpatialScene &scene) const
   {
     ComponentMask held(n_components(), true);
+    if (row_.begins_with_mass())
+      return held;
     if (has_field(Field::temperature) && !scene.has_given_temperature)
       held.set(first_component(Field::temperature), false);
     if (has_field(Field::displacement))
@@ -177,6 +198,20 @@ namespace ThermoContact
     if (held.n_selected_components(n_components()) > 0)
       VectorTools::interpolate_boundary_values(
         mapping_, dof_handler_, fixed_boundary_id, zero, constraints, held);
+    if constexpr (dim == 1)
+      {
+        ComponentMask right(n_components(), false);
+        for (const Field::Block field : all_fields)
+          if (has_field(field) && is_held_right_[field])
+            right.set(first_component(field), true);
+        if (right.n_selected_components(n_components()) > 0)
+          VectorTools::interpolate_boundary_values(mapping_,
+                                                   dof_handler_,
+                                                   contact_boundary_id,
+                                                   zero,
+                                                   constraints,
+                                                   right);
+      }
     for (unsigned int d = 1; has_field(Field::displacement) && d < dim; ++d)
       {
         ComponentMask normal(n_components(), false);
@@ -291,6 +326,38 @@ namespace ThermoContact
       state.gap.push_back(node.gap);
     state.gap_rate = state.contact_pressure;
     return state;
+  }
+
+
+
+  template <int dim>
+  void
+  Discretization<dim>::set_zero_in_gaps(State &state) const
+  {
+    if (dim > 1 || !row_.is_given())
+      return;
+    const unsigned int first_inner = 2;
+    std::vector<types::global_dof_index> dofs(finite_element_.dofs_per_cell);
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      if (is_gap(cell->active_cell_index()))
+        {
+          cell->get_dof_indices(dofs);
+          for (const Field::Block field : all_fields)
+            for (unsigned int i = first_inner;
+                 has_field(field) && i <= degree();
+                 ++i)
+              {
+                const auto entry =
+                  dofs[finite_element_.component_to_system_index(
+                    first_component(field), i)] -
+                  first_dof(field);
+                if (field == Field::temperature)
+                  state.temperature.begin()[entry] = 0.;
+                else
+                  state.displacement.begin()[entry] =
+                    state.velocity.begin()[entry] = 0.;
+              }
+        }
   }
 
 

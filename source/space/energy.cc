@@ -34,6 +34,7 @@ namespace ThermoContact
     , has_work_(scene.has_work())
     , steady_profile_(discretization.make_vector(Field::temperature))
     , steady_stress(discretization.make_vector(Field::displacement))
+    , reference_coefficient(heat.reference_coefficient)
     , heat_scratch(steady_profile_)
     , heat_product(steady_profile_)
     , momentum_scratch(steady_stress)
@@ -42,6 +43,22 @@ namespace ThermoContact
     if (!discretization.has_field(Field::temperature))
       return;
     set_steady_profile();
+    if (discretization.row().is_given())
+      {
+        discretization.contact_end().get_values(Field::temperature,
+                                                steady_profile_,
+                                                steady_end);
+        unbalanced_heat = loads.outer_heat();
+        stage_operator.conduction.add(-1.,
+                                      steady_profile_,
+                                      unbalanced_heat,
+                                      heat_product);
+        stage_operator.zero_constrained(Field::temperature, unbalanced_heat);
+        reference_coefficient = 0.;
+        if (material.has_thermal_stress())
+          stage_operator.thermal_stress.vmult(steady_stress, steady_profile_);
+        return;
+      }
     steady_end.assign(discretization.contact_end().n_nodes(),
                       heat.steady_temperature(1.));
     if (heat.has_lateral_exchange())
@@ -244,13 +261,17 @@ namespace ThermoContact
             heat_product -= loads.outer_heat();
             rate += heat_scratch * heat_product;
           }
+        if (discretization.row().is_given())
+          rate += heat_scratch * unbalanced_heat;
         if (!heat.exchange->is_constant())
           rate +=
             area *
             mean_of_end(heat_scratch, [&](const unsigned int i, const double) {
-              return -heat.flux(state.exchange_coefficient[i] -
-                                  heat.reference_coefficient,
-                                steady_end[i]);
+              return -discretization.contact_end().flux(
+                i,
+                state.exchange_coefficient[i] - reference_coefficient,
+                steady_end[i],
+                heat.obstacle_temperature);
             });
       }
     return rate / area + work_of_motion(momentum_load, state, state.velocity);

@@ -153,7 +153,7 @@ namespace ThermoContact
     setup_if(scene.fields.has_displacement, {momentum_mass, stiffness});
     setup_if(scene.material.has_thermal_stress(), {divergence, thermal_stress});
     setup_if(scene.has_elastic_contact_nodes || scene.left.is_any() ||
-               scene.right.is_any(),
+               scene.right.is_any() || scene.row.is_given(),
              {viscous_stiffness});
     setup_if(scene.lateral_exchange > 0., {lateral_exchange});
     if (dim == 1)
@@ -163,7 +163,10 @@ namespace ThermoContact
     assemble_mass();
     assemble_stiffness();
     if constexpr (dim == 1)
-      assemble_attached();
+      {
+        assemble_attached();
+        assemble_row();
+      }
     if (scene.fields.has_temperature)
       assemble_heat_exchange();
     for (SparseMatrix &matrix : matrices)
@@ -234,7 +237,8 @@ namespace ThermoContact
   FieldMatrices<dim>::add(
     const Kind                                            kind,
     const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const FullMatrix<double>                             &cell_matrix)
+    const FullMatrix<double>                             &cell_matrix,
+    const double                                          factor)
   {
     const auto [rows, columns] = fields_of(kind);
     const bool is_sparse       = matrices[kind].m() > 0;
@@ -242,6 +246,7 @@ namespace ThermoContact
       return;
     FullMatrix<double> block(places[rows].size(), places[columns].size());
     block.extract_submatrix_from(cell_matrix, places[rows], places[columns]);
+    block *= factor;
     if (is_sparse)
       matrices[kind].add(dofs(cell, rows), dofs(cell, columns), block);
     if (dim == 1 && kind < n_matrices)
@@ -290,6 +295,100 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  FieldMatrices<dim>::factor(const Kind         kind,
+                             const unsigned int cell) const
+  {
+    if (!scene.row.is_given())
+      return 1.;
+    const RowCell &of_row = scene.row.cells[cell];
+    switch (kind)
+      {
+        case heat_mass:
+          return of_row.heat_mass;
+        case conduction:
+          return of_row.conduction;
+        case divergence:
+        case thermal_stress:
+          return of_row.coupling;
+        case momentum_mass:
+          return of_row.inertia;
+        case stiffness:
+          return of_row.stiffness;
+        case viscous_stiffness:
+          return of_row.viscosity;
+        default:
+          return 1.;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::assemble_row()
+  {
+    const FiniteElement<dim> &fe = discretization.finite_element();
+    FullMatrix<double>        matrix(fe.dofs_per_cell, fe.dofs_per_cell);
+    const auto place = [&](const Field::Block field, const unsigned int node) {
+      return fe.component_to_system_index(discretization.first_component(field),
+                                          node);
+    };
+    const unsigned int right = 1, first_inner = 2; // nodes of a cell
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      {
+        const unsigned int number = cell->active_cell_index();
+        if (!discretization.is_gap(number))
+          continue;
+        // nodes within a gap stay at rest
+        for (const Kind kind : {heat_mass,
+                                conduction,
+                                momentum_mass,
+                                stiffness,
+                                viscous_stiffness})
+          if (const Field::Block field = fields_of(kind)[0];
+              discretization.has_field(field))
+            {
+              matrix = 0.;
+              for (unsigned int i = first_inner; i <= fe.degree; ++i)
+                matrix(place(field, i), place(field, i)) = 1.;
+              add(kind, cell, matrix);
+            }
+        for (const RowMass &mass : scene.row.masses)
+          if (mass.vertex == number + 1)
+            for (const Field::Block field : all_fields)
+              if (discretization.has_field(field) &&
+                  (field == Field::temperature || scene.material.has_inertia()))
+                {
+                  matrix                                 = 0.;
+                  const std::size_t at                   = place(field, right);
+                  matrix(at, at) = field == Field::temperature ?
+                                     mass.heat_capacity :
+                                     mass.mass / scene.material.inertia;
+                  add(field == Field::temperature ? heat_mass : momentum_mass,
+                      cell,
+                      matrix);
+                }
+        for (const RowContact &contact : scene.row.contacts)
+          if (contact.cell == number &&
+              discretization.has_field(Field::temperature))
+            {
+              matrix = 0.;
+              const double k =
+                contact.exchange.value_or(scene.exchange_coefficient);
+              for (const unsigned int i : {0U, right})
+                for (const unsigned int j : {0U, right})
+                  matrix(place(Field::temperature, i),
+                         place(Field::temperature, j)) = i == j ? k : -k;
+              add(conduction, cell, matrix);
+            }
+      }
+  }
+
+
+
+  template <int dim>
   void
   FieldMatrices<dim>::make_rod()
   {
@@ -298,6 +397,13 @@ namespace ThermoContact
     // The sizes of equal cells differ by the rounding of their vertices.
     const double rounding =
       4. * std::numeric_limits<double>::epsilon() * layout.n_cells;
+    std::vector<bool> carries(layout.n_cells, false);
+    carries.front() = scene.left.is_any();
+    if (scene.right.is_any())
+      carries.back() = true;
+    for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
+      if (discretization.is_gap(cell))
+        carries[cell] = true;
     rod_ = std::make_unique<const RodMatrices>(
       layout,
       rounding,
@@ -305,7 +411,7 @@ namespace ThermoContact
              const unsigned int cell,
              const unsigned int i,
              const unsigned int j) { return rod_entry(kind, cell, i, j); },
-      std::array<bool, 2>{{scene.left.is_any(), scene.right.is_any()}});
+      carries);
     rod_entries = {};
   }
 
@@ -352,7 +458,8 @@ namespace ThermoContact
     bool had_axial_rule = false;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() &&
+          !discretization.is_gap(cell->active_cell_index()))
         {
           const bool has_axial_rule =
             scene.has_midpoint_mass ||
@@ -374,7 +481,7 @@ namespace ThermoContact
             }
           had_axial_rule = has_axial_rule;
           for (const Kind kind : {heat_mass, momentum_mass})
-            add(kind, cell, cell_mass);
+            add(kind, cell, cell_mass, factor(kind, cell->active_cell_index()));
         }
   }
 
@@ -401,8 +508,10 @@ namespace ThermoContact
 
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() &&
+          !discretization.is_gap(cell->active_cell_index()))
         {
+          const unsigned int number = cell->active_cell_index();
           fe_values.reinit(cell);
           if (!has_last_integrals(discretization, fe_values))
             integrate_products(scene.material,
@@ -412,10 +521,10 @@ namespace ThermoContact
                                cell_stiffness,
                                cell_coupling);
           for (const Kind kind : {conduction, stiffness})
-            add(kind, cell, cell_stiffness);
+            add(kind, cell, cell_stiffness, factor(kind, number));
           if (scene.material.has_thermal_stress())
             for (const Kind kind : {divergence, thermal_stress})
-              add(kind, cell, cell_coupling);
+              add(kind, cell, cell_coupling, factor(kind, number));
           if (scene.material.has_dashpots && !scene.material.has_viscosity())
             continue; // they are all that resists velocities
           if (scene.has_elastic_contact_nodes && touches_contact_end<dim>(cell))
@@ -428,7 +537,10 @@ namespace ThermoContact
               add(viscous_stiffness, cell, cell_viscous);
             }
           else
-            add(viscous_stiffness, cell, cell_stiffness);
+            add(viscous_stiffness,
+                cell,
+                cell_stiffness,
+                factor(viscous_stiffness, number));
         }
   }
 
@@ -442,7 +554,8 @@ namespace ThermoContact
     HeatExchangeFaces<dim> faces(scene, discretization);
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() &&
+          !discretization.is_gap(cell->active_cell_index()))
         faces.visit(cell,
                     [&](const CellMatrix &exchange, const bool is_lateral) {
                       FullMatrix<double> cell_matrix(n, n);

@@ -12,6 +12,7 @@ namespace ThermoContact
     : body(geometry(scene.mesh.geometry).make(dim, scene.mesh.width))
     , has_rollers(scene.has_rollers)
     , has_symmetry(scene.has_symmetry)
+    , length(scene.row.length())
     , width(scene.mesh.width)
     , cross_section_(body->cross_section())
   {}
@@ -24,7 +25,7 @@ namespace ThermoContact
   {
     dealii::Point<dim> corner;
     for (unsigned int d = 0; d < dim; ++d)
-      corner[d] = d == 0 ? 1. : width;
+      corner[d] = d == 0 ? length : width;
     return corner;
   }
 

@@ -70,8 +70,8 @@ namespace ThermoContact
       return RodFactors<1>::Block(terms.begin(), terms.end());
     };
     double     growth  = 0.;
-    const auto is_held = [&](const Field::Block field) {
-      return !equations.space().constrained_entries(field).empty();
+    const auto held = [&](const Field::Block field, const unsigned int end) {
+      return equations.space().are_ends_held(field)[end];
     };
     if (is_whole())
       {
@@ -85,7 +85,9 @@ namespace ThermoContact
           RodFactors<2>::Blocks{{{{block(Field::temperature), heating}},
                                  {{stress, block(Field::displacement)}}}},
           RodFactors<2>::Held{
-            {is_held(Field::temperature), is_held(Field::displacement)}});
+            {held(Field::temperature, 0), held(Field::displacement, 0)}},
+          RodFactors<2>::Held{
+            {held(Field::temperature, 1), held(Field::displacement, 1)}});
         growth = rod_whole->growth();
       }
     else
@@ -95,7 +97,8 @@ namespace ThermoContact
             rod_fields[field] = std::make_unique<const RodFactors<1>>(
               matrices,
               RodFactors<1>::Blocks{{{{block(field)}}}},
-              RodFactors<1>::Held{{is_held(field)}});
+              RodFactors<1>::Held{{held(field, 0)}},
+              RodFactors<1>::Held{{held(field, 1)}});
             growth = std::max(growth, rod_fields[field]->growth());
           }
     if (growth <= Tolerances::tolerated_cancellation)

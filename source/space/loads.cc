@@ -28,6 +28,7 @@ namespace ThermoContact
     : discretization(discretization)
     , data(data)
     , exchange_coefficient(scene.heat.linear_coefficient())
+    , inertia(scene.material.inertia)
     , fe_values(discretization.mapping(),
                 discretization.finite_element(),
                 QGauss<dim>(data.heat_source || data.body_force ?
@@ -89,7 +90,8 @@ namespace ThermoContact
 
     data.set_time(time);
     if (data.heat_source || data.body_force || data.end_heat_flux ||
-        data.left_heat_flux || data.left_traction || data.obstacle_warming)
+        data.left_heat_flux || data.left_traction || data.obstacle_warming ||
+        (data.end_traction && discretization.row().is_given()))
       {
         sources = 0.;
         if (data.end_heat_flux)
@@ -100,6 +102,10 @@ namespace ThermoContact
           integrate_face(fixed_boundary_id,
                          Field::temperature,
                          *data.left_heat_flux);
+        if (data.end_traction && discretization.row().is_given())
+          integrate_face(contact_boundary_id,
+                         Field::displacement,
+                         *data.end_traction);
         if (data.left_traction) // outward is against x
           integrate_face(fixed_boundary_id,
                          Field::displacement,
@@ -116,7 +122,7 @@ namespace ThermoContact
         add_sources(Field::temperature, heat);
         add_sources(Field::displacement, momentum);
       }
-    if (data.end_traction)
+    if (data.end_traction && !discretization.row().is_given())
       for (const auto &[node, entry] :
            discretization.contact_end().entries(Field::displacement))
         {
@@ -160,13 +166,15 @@ namespace ThermoContact
   void
   Loads<dim>::add(const FEValuesBase<dim> &values,
                   const Function<dim>     &function,
-                  const Field::Block       field)
+                  const Field::Block       field,
+                  const double             factor)
   {
     const unsigned int first = discretization.first_component(field);
     for (const unsigned int q : values.quadrature_point_indices())
       for (unsigned int c = 0; c < function.n_components; ++c)
         {
-          const double f_JxW = function.value(values.quadrature_point(q), c) *
+          const double f_JxW = factor *
+                               function.value(values.quadrature_point(q), c) *
                                discretization.geometry().weight(values, q);
           for (const unsigned int i : values.dof_indices())
             cell_load(i) +=
@@ -204,14 +212,44 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
+          const BodyRow         &row = discretization.row();
+          const RowCell *const of_row =
+            row.is_given() ? &row.cells[cell->active_cell_index()] : nullptr;
           cell_load = 0.;
-          fe_values.reinit(cell);
-          if (data.heat_source)
-            add(fe_values, *data.heat_source, Field::temperature);
-          if (data.body_force)
-            add(fe_values, *data.body_force, Field::displacement);
+          if (of_row != nullptr && of_row->is_gap)
+            add_force_on_mass(cell);
+          else
+            {
+              fe_values.reinit(cell);
+              if (data.heat_source)
+                add(fe_values,
+                    *data.heat_source,
+                    Field::temperature,
+                    of_row != nullptr ? of_row->section : 1.);
+              if (data.body_force)
+                add(fe_values,
+                    *data.body_force,
+                    Field::displacement,
+                    of_row != nullptr ? of_row->inertia : 1.);
+            }
           distribute(cell);
         }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_force_on_mass(
+    const typename DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    const unsigned int right = 1;
+    if (data.body_force && inertia > 0.)
+      for (const RowMass &mass : discretization.row().masses)
+        if (mass.vertex == cell->active_cell_index() + 1)
+          cell_load(discretization.finite_element().component_to_system_index(
+            discretization.first_component(Field::displacement), right)) +=
+            mass.mass / inertia * data.body_force->value(cell->vertex(right));
   }
 
 

@@ -146,7 +146,10 @@ namespace ThermoContact
     end.get_values(Field::displacement,
                    state.displacement,
                    values.displacement);
-    end.get_values(Field::displacement, state.velocity, front.velocity);
+    if (state.contact_velocity.empty())
+      end.get_values(Field::displacement, state.velocity, front.velocity);
+    else
+      front.velocity = state.contact_velocity;
     front.penetration.resize(n);
     rear.penetration.resize(n);
     rear.velocity.resize(n);
@@ -194,8 +197,15 @@ namespace ThermoContact
     get_node_laws(body, state, laws, position);
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      state.displacement.begin()[entry] =
-        touching_displacement(body, laws[node], state.gap[node]);
+      if (const double place =
+            touching_displacement(body, laws[node], state.gap[node]);
+          body.contact_end().nodes()[node].meets_body())
+        body.contact_end().add_to_value(Field::displacement,
+                                        node,
+                                        0. - position[node],
+                                        state.displacement);
+      else
+        state.displacement.begin()[entry] = place;
   }
 
 

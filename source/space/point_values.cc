@@ -26,7 +26,8 @@ namespace ThermoContact
     std::vector<std::pair<double, double>> intervals;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() &&
+          !discretization.is_gap(cell->active_cell_index()))
         if (const auto box = cell->bounding_box();
             box.point_inside(on_axis(box.center()[0]), Tolerances::in_cell))
           intervals.emplace_back(box.lower_bound(0), box.upper_bound(0));
@@ -44,7 +45,11 @@ namespace ThermoContact
         {
           // cells on different sides may round the place where they meet
           const double begin =
-            places.empty() ? left : places.back().position[0];
+            places.empty() ||
+                left - places.back().position[0] >
+                  Tolerances::rounding_of_data * discretization.row().length() ?
+              left :
+              places.back().position[0];
           last_mid = 0.5 * (left + right);
           for (unsigned int i = 0; i <= p; ++i)
             places.push_back(
@@ -85,7 +90,8 @@ namespace ThermoContact
         if (share.form != n_forms)
           {
             const IndexSet &owned =
-              discretization.owned_by_block()[share.form == temperature_form ?
+              discretization.owned_by_block()[                share.form == temperature_form ||
+                                                  share.form == thermal_form ?
                                                 Field::temperature :
                                                 Field::displacement];
             if (owned.is_element(share.dof))
@@ -117,7 +123,8 @@ namespace ThermoContact
     std::vector<Share> shares;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() &&
+          !discretization.is_gap(cell->active_cell_index()))
         {
           const auto   box   = cell->bounding_box();
           const double slack = 2. * Tolerances::in_cell * box.side_length(0);
@@ -172,14 +179,20 @@ namespace ThermoContact
                value;
     };
 
+    const BodyRow           &row    = discretization.row();
+    const RowCell *const of_row =
+      row.is_given() ? &row.cells[cell->active_cell_index()] : nullptr;
     for (unsigned int i = 0; i < dofs.size(); ++i)
       {
         const auto [component, shape] = fe.system_to_component_index(i);
         if (discretization.has_field(Field::temperature) && component == 0)
           {
-            add(temperature_form,
-                dofs[i],
-                rounded(base.shape_value(shape, unit_point)));
+            const double value = rounded(base.shape_value(shape, unit_point));
+            add(temperature_form, dofs[i], value);
+            if (of_row != nullptr)
+              add(thermal_form,
+                  dofs[i],
+                  value * of_row->coupling / of_row->section);
             continue;
           }
         const unsigned int d = component - first;
@@ -194,13 +207,19 @@ namespace ThermoContact
           if (const double derivative = base.shape_grad(shape, unit_point)[e];
               std::abs(derivative) > Tolerances::rounding_of_solution)
             gradient[d][e] = derivative / box.side_length(e);
+        const double stress = elastic_stress(
+          scene.material,
+          discretization.geometry().strain(gradient, value, position),
+          0,
+          0);
         add(strain_form,
             dofs[i] - offset,
-            elastic_stress(
-              scene.material,
-              discretization.geometry().strain(gradient, value, position),
-              0,
-              0));
+            of_row == nullptr ? stress :
+                                stress * of_row->stiffness / of_row->section);
+        if (of_row != nullptr)
+          add(viscous_form,
+              dofs[i] - offset,
+              stress * of_row->viscosity / of_row->section);
       }
     shares.push_back({n_forms, place, 0, 1.});
   }
@@ -233,10 +252,14 @@ namespace ThermoContact
     add_values(displacement_form, v, 1., velocity);
     add_values(strain_form, state.displacement, 1., stress);
     const Material &material = scene.material;
+    const bool      is_row   = discretization.row().is_given();
     if (material.has_viscosity())
-      add_values(strain_form, v, material.viscosity, stress);
+      add_values(is_row ? viscous_form : strain_form,
+                 v,
+                 material.viscosity,
+                 stress);
     if (material.has_thermal_stress())
-      add_values(temperature_form,
+      add_values(is_row ? thermal_form : temperature_form,
                  state.temperature,
                  -material.thermal_stress,
                  stress);

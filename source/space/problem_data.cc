@@ -24,11 +24,83 @@ namespace ThermoContact
 
 
 
+    /** A function of the bodies of a row, each in its own coordinate. */
+    class RowFunction : public Function<1>
+    {
+    public:
+      RowFunction(const BodyRow                            &row,
+                  std::vector<std::vector<Expression>> &&of_bodies,
+                  const std::vector<double>             &before)
+        : Function<1>(before.size())
+        , row(row)
+        , of_bodies(std::move(of_bodies))
+        , before(before)
+      {}
+
+      double
+      value(const Point<1> &place, const unsigned int component) const override
+      {
+        const double x = place[0];
+        if (x < row.bodies.front().begin)
+          return before[component]; // the vertex before a first mass
+        const RowBody &body         = row.body_at(x);
+        const double   variables[4] = {x - body.begin};
+        return of_bodies[&body - row.bodies.data()][component].evaluate(
+          variables);
+      }
+
+    private:
+      const BodyRow                                 &row;
+      const std::vector<std::vector<Expression>> of_bodies;
+      const std::vector<double>                  before;
+    };
+
+
+
+    /** The same of a row, (M10.1). */
+    std::unique_ptr<Function<1>>
+    initial_function_of_row(const Scene &scene, const bool is_rate)
+    {
+      std::vector<std::vector<Expression>> all;
+      std::vector<double>                  before;
+      for (const RowBody &body : scene.row.bodies)
+        {
+          std::vector<Expression> components;
+          before.clear();
+          const auto add = [&](const std::string &entry,
+                               const std::string &text,
+                               const double       value_before) {
+            const std::string path = "Bodies/" + body.name + "/" + entry;
+            components.emplace_back(path, text, scene.parameters.names(path));
+            before.push_back(value_before);
+          };
+          if (scene.fields.has_temperature)
+            add("Temperature",
+                is_rate ? "0" : body.temperature,
+                is_rate ? 0. : scene.heat.fixed_end_temperature);
+          if (scene.fields.has_displacement && is_rate)
+            add("Velocity",
+                scene.material.has_inertia() ? body.velocity : "0",
+                0.);
+          else if (scene.fields.has_displacement)
+            add("Displacement",
+                scene.material.is_static() ? "0" : body.displacement,
+                0.);
+          all.push_back(std::move(components));
+        }
+      return std::make_unique<RowFunction>(scene.row, std::move(all), before);
+    }
+
+
+
     /** Initial values of the fields, or their rates, one after the other. */
     template <int dim>
-    std::unique_ptr<ExpressionFunction<dim>>
+    std::unique_ptr<Function<dim>>
     initial_function(const Scene &scene, const bool is_rate)
     {
+      if constexpr (dim == 1)
+        if (scene.row.is_given())
+          return initial_function_of_row(scene, is_rate);
       const InitialValuesParameters &initial = scene.parameters.initial_values;
       std::vector<Expression>        components;
       const auto                     add = [&](const std::string &entry,
@@ -162,11 +234,16 @@ namespace ThermoContact
   bool
   ProblemData<dim>::is_along_axis() const
   {
-    std::vector<ExpressionFunction<dim> *> functions = sources;
+    std::vector<const Function<dim> *> functions(sources.begin(),
+                                                 sources.end());
     functions.push_back(initial_fields.get());
     functions.push_back(initial_velocity.get());
-    for (const ExpressionFunction<dim> *const function : functions)
+    for (const Function<dim> *const any : functions)
       {
+        const auto *const function =
+          dynamic_cast<const ExpressionFunction<dim> *>(any);
+        if (function == nullptr)
+          continue; // of a row
         const std::vector<Expression> &components = function->components();
         const std::size_t              n          = components.size();
         for (std::size_t c = 0; c < n; ++c)

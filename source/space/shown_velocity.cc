@@ -13,11 +13,21 @@ namespace ThermoContact
     const unsigned int n  = memory.locally_owned_size();
     const double      *v  = state.velocity.begin();
     double            *at = memory.begin();
-    for (unsigned int i = 1; i + 1 < n; ++i)
-      at[i] = 0.5 * v[i] + 0.25 * (v[i - 1] + v[i + 1]);
-    at[0] = scene.fixed_end_motion ?
-              scene.fixed_end_motion->derivatives(state.load_time).first :
-              0.;
+    const auto show_rod = [=](const unsigned int first,
+                              const unsigned int last) {
+      for (unsigned int i = first + 1; i < last; ++i)
+        at[i] = 0.5 * v[i] + 0.25 * (v[i - 1] + v[i + 1]);
+      at[first] = 0.5 * (v[first] + v[first + 1]);
+    };
+    if (!scene.row.is_given())
+      show_rod(0, n - 1);
+    for (const RowBody &body : scene.row.bodies)
+      if (body.n_cells > 0)
+        show_rod(body.first_cell, body.first_cell + body.n_cells);
+    if (!scene.has_free_end && !scene.row.begins_with_mass())
+      at[0] = scene.fixed_end_motion ?
+                scene.fixed_end_motion->derivatives(state.load_time).first :
+                0.;
     return memory;
   }
 } // namespace ThermoContact

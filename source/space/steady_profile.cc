@@ -11,6 +11,24 @@ namespace ThermoContact
   {
     Vector     &profile      = steady_profile_;
     const auto &nodal_values = discretization.nodal_values(Field::temperature);
+    if (discretization.row().is_given())
+      {
+        // what it leaves does work; the last body has a given temperature
+        profile = heat.fixed_end_temperature;
+        if (heat.right_temperature)
+          {
+            const BodyRow &row  = discretization.row();
+            const double   from = row.begin_of_last_part();
+            for (unsigned int i = 0; i < nodal_values.size(); ++i)
+              if (const double x = nodal_values[i].node[0]; x >= from)
+                profile.local_element(i) = *heat.right_temperature;
+              else if (from == 0.) // one part alone
+                profile.local_element(i) +=
+                  (*heat.right_temperature - heat.fixed_end_temperature) * x /
+                  row.length();
+          }
+        return;
+      }
     for (unsigned int i = 0; i < nodal_values.size(); ++i)
       profile.local_element(i) =
         heat.steady_temperature(nodal_values[i].node[0]);
@@ -36,8 +54,11 @@ namespace ThermoContact
         if (!heat.exchange->is_constant())
           {
             end.get_values(Field::temperature, profile, steady_end);
-            for (double &value : steady_end)
-              value = heat.flux(heat.reference_coefficient, value);
+            for (unsigned int i = 0; i < end.n_nodes(); ++i)
+              steady_end[i] = end.flux(i,
+                                       heat.reference_coefficient,
+                                       steady_end[i],
+                                       heat.obstacle_temperature);
             end.subtract_load(Field::temperature, steady_end, 1., residual);
           }
         stage_operator.zero_constrained(Field::temperature, residual);

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/local_sums.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/method/bracketed_root.h>
 #include <thermocontact/space/node_laws.h>
@@ -13,12 +14,42 @@
 
 namespace ThermoContact
 {
+  bool
+  BoxIntegrator::Contact::has_waves() const
+  {
+    return std::all_of(sides.begin(), sides.end(), [](const ContactSide &side) {
+      return !side.is_mass() && side.has_waves();
+    });
+  }
+
+
+
+  template <typename OfSide>
+  double
+  BoxIntegrator::Contact::sum(const OfSide &of_side) const
+  {
+    double sum = of_side(sides[0]);
+    for (unsigned int i = 1; i < sides.size(); ++i)
+      sum += of_side(sides[i]);
+    return sum;
+  }
+
+
+
+  double
+  BoxIntegrator::Contact::arriving(const unsigned int side,
+                                   const CellValues  &cell) const
+  {
+    const double stress = sides[side].stiffness * cell.strain -
+                          sides[side].thermal_stress * cell.temperature;
+    return cell.velocity - stress / impedances[side];
+  }
+
+
+
   BoxIntegrator::BoxIntegrator(Body<1> &body)
     : body(body)
     , solver(body)
-    , end_node(body.discretization.n_displacement_dofs() - 1)
-    , cell_size(body.scene.parameters.mesh.contact_spacing())
-    , impedance(std::sqrt(body.scene.material.inertia))
     , n_heat_stages(body.scene.fields.has_temperature ? HeatStages::n : 0)
     , rates(solver.make_rates())
     , right(rates)
@@ -37,9 +68,22 @@ namespace ThermoContact
     , stage(body.discretization.make_state())
     , acceleration(rates.velocity)
   {
-    Assert(body.contact_end().entries(Field::displacement)[0].second ==
-             end_node,
-           ExcInternalError());
+    for (const auto &sides : contact_sides(body))
+      {
+        Contact contact{sides, {}, 0.};
+        double  admittance = 0.;
+        for (const ContactSide &side : sides)
+          {
+            contact.impedances.push_back(side.impedance);
+            if (!side.is_mass())
+              admittance += 1. / side.impedance;
+          }
+        contact.impedance =
+          sides.size() == 1 && !sides[0].is_mass() ? sides[0].impedance :
+          admittance > 0.                          ? 1. / admittance :
+                                                     infinity;
+        contacts.push_back(contact);
+      }
   }
 
 
@@ -56,19 +100,36 @@ namespace ThermoContact
     body.obstacle.place(time_step.end, obstacle);
     set_loads(state, time_step);
     solve_without_contact(state, size);
-    const EndContact end = find_contact(state, size);
-    advance(state, time_step, end, result.state);
-    result.contact_change.reset();
-    if (body.law().is_active())
-      result.contact_change =
-        contact_change(state, path_of_node(state, size), end, result.state);
-
+    find_contacts(state, size, ends);
+    advance(state, time_step, ends, result.state);
+    result.contact_changes.assign(contacts.size(), std::nullopt);
     result.failure.clear();
-    result.n_iterations  = end.contact.pressure != 0.;
+    result.impacts.clear();
+    result.n_iterations  = 0;
     result.is_prescribed = false;
-    result.impulse = size * body.contact_end().share(0) * end.contact.pressure;
-    result.algebraic = 0.;
-    book(state, size, end, result);
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        if (body.law().is_active())
+          result.contact_changes[c] = contact_change(
+            c, state, path_of_node(c, state, size), ends[c], result.state);
+        if (ends[c].contact.pressure != 0.)
+          result.n_iterations = 1;
+        if (ends[c].masses)
+          for (const auto &[part, velocity] : ends[c].masses->impacts)
+            for (const ContactEvent::Kind kind :
+                 {ContactEvent::begin, ContactEvent::end})
+              result.impacts.push_back(
+                {state.time + part,
+                 kind,
+                 kind == ContactEvent::begin ?
+                   velocity :
+                   -*body.scene.parameters.contact.restitution * velocity,
+                 1,
+                 c});
+      }
+    result.algebraic = result.impulse = 0.;
+    result.impulses.clear();
+    book(state, size, ends, result);
     result.energy = body.energy.energy(result.state);
     result.close_balance();
   }
@@ -130,7 +191,13 @@ namespace ThermoContact
     set_equal(known_velocity, state.velocity);
     set_equal(known_displacement, state.displacement);
     known_velocity.begin()[0] -= end_velocity;
-    known_displacement.begin()[0] += (tau + material.viscosity) * end_velocity;
+    // of the first cell
+    const BodyRow &row = body.scene.row;
+    const double   viscosity =
+      row.is_given() && !row.cells[0].is_gap ?
+          material.viscosity * row.cells[0].viscosity / row.cells[0].stiffness :
+          material.viscosity;
+    known_displacement.begin()[0] += (tau + viscosity) * end_velocity;
     const Term inertia = {material.inertia,
                           RodMatrices::momentum_mass,
                           known_velocity.begin()};
@@ -185,6 +252,13 @@ namespace ThermoContact
                             momentum_load.begin(),
                             right.velocity.begin());
       }
+    for (const unsigned int entry :
+         body.discretization.constrained_entries(Field::displacement))
+      right.velocity.begin()[entry] = 0.;
+    for (const unsigned int entry :
+         body.discretization.constrained_entries(Field::temperature))
+      for (unsigned int i = 0; i < n_heat_stages; ++i)
+        right.temperature_rate[i].begin()[entry] = 0.;
     solver.solve(size, right, rates);
     for (const unsigned int entry :
          body.driven_end.entries(Field::displacement))
@@ -197,40 +271,61 @@ namespace ThermoContact
 
 
   BoxIntegrator::EndValues
-  BoxIntegrator::end_response(const BoxRates &response, const double size) const
+  BoxIntegrator::end_response(const BoxRates    &response,
+                              const double       size,
+                              const unsigned int c) const
   {
-    EndValues values;
-    values.velocity = response.velocity.begin()[end_node];
-    values.inner    = response.velocity.begin()[end_node - 1];
+    const Contact &contact = contacts[c];
+    EndValues      values;
+    values.velocity = contact.sum([&](const ContactSide &side) {
+      return side.value(response.velocity);
+    });
+    values.inner    = contact.sum([&](const ContactSide &side) {
+      return side.inner_value(response.velocity);
+    });
     for (unsigned int i = 0; i < n_heat_stages; ++i)
       for (unsigned int j = 0; j < n_heat_stages; ++j)
-        values.temperature[i] += size * HeatStages::coefficients[i][j] *
-                                 response.temperature_rate[j].begin()[end_node];
+        values.temperature[i] +=
+          size * HeatStages::coefficients[i][j] *
+          contact.sum([&](const ContactSide &side) {
+            return side.value(response.temperature_rate[j]);
+          });
     return values;
   }
 
 
 
   BoxIntegrator::EndValues
-  BoxIntegrator::end_values(const State &state, const double size) const
+  BoxIntegrator::end_values(const State       &state,
+                            const double       size,
+                            const unsigned int c) const
   {
-    EndValues values  = end_response(rates, size);
-    values.old_middle = 0.5 * (state.velocity.begin()[end_node] +
-                               state.velocity.begin()[end_node - 1]);
+    EndValues values  = end_response(rates, size, c);
+    values.old_middle = contacts[c].sum([&](const ContactSide &side) {
+      return side.sign * side.middle(state.velocity, 0);
+    });
     for (unsigned int i = 0; i < n_heat_stages; ++i)
-      values.temperature[i] += state.temperature.begin()[end_node] -
-                               body.scene.heat.obstacle_temperature;
+      values.temperature[i] +=
+        contacts[c].sum([&](const ContactSide &side) {
+          return side.value(state.temperature);
+        }) -
+        body.contact_end().outer_temperature(
+          c, body.scene.heat.obstacle_temperature);
     return values;
   }
 
 
 
   StepPath
-  BoxIntegrator::path_of_node(const State &state, const double size) const
+  BoxIntegrator::path_of_node(const unsigned int c,
+                              const State       &state,
+                              const double       size) const
   {
     const ContactLaw &law = body.law();
-    const double      u   = state.displacement.begin()[end_node];
-    const double      p   = state.contact_pressure[0];
+    const double      u   = contacts[c].sum([&](const ContactSide &side) {
+      return side.value(state.displacement);
+    });
+    const double      p   = state.contact_pressure[c];
     // the pressure has more digits than the difference of displacement and gap
     const auto start = [&](const double penetration, const double pressure) {
       return law.damping() > 0. ? penetration :
@@ -239,26 +334,54 @@ namespace ThermoContact
     };
     StepPath path;
     path.size       = size;
-    path.front      = start(u - state.gap[0], p);
-    path.front_rate = (obstacle.gap[0] - state.gap[0]) / size;
+    path.front      = start(u - state.gap[c], p);
+    path.front_rate = (obstacle.gap[c] - state.gap[c]) / size;
     path.rear       = start(-u - body.scene.contact.rear_gap, -p);
-    path.negligible_velocity =
-      Tolerances::rounding_of_solution * rates.velocity.linfty_norm();
+    // bodies that rest side by side do not meet by the rounding of waves
+    path.negligible_velocity = (body.scene.row.is_given() ?
+                                  Tolerances::rounding_of_fronts :
+                                  Tolerances::rounding_of_solution) *
+                               rates.velocity.linfty_norm();
     return path;
   }
 
 
 
   void
-  BoxIntegrator::finish_node(const EndValues &values, EndContact &end) const
+  BoxIntegrator::set_impedances(const double size)
   {
-    const ContactLaw  &law     = body.law();
-    const StepContact &contact = end.contact;
+    if (!body.law().is_active() || body.scene.material.has_viscosity())
+      return;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        Contact      &contact  = contacts[c];
+        const Vector &response = solver.response_to_pressure(size, c).velocity;
+        double        sum      = 0.;
+        for (unsigned int i = 0; i < contact.sides.size(); ++i)
+          if (const ContactSide &side = contact.sides[i]; !side.is_mass())
+            {
+              contact.impedances[i] = 1. / side.value(response);
+              sum += side.value(response);
+            }
+        contact.impedance = sum > 0. ? 1. / sum : infinity;
+      }
+  }
+
+
+
+  void
+  BoxIntegrator::finish_node(const unsigned int c,
+                             const EndValues   &values,
+                             EndContact        &end) const
+  {
+    const ContactLaw  &law       = body.law();
+    const StepContact &contact   = end.contact;
+    const double       impedance = contacts[c].impedance;
     // with what arrives at the end of the step, but for its own pressure
     const double arriving = values.velocity + values.inner - values.old_middle +
                             contact.pressure / impedance;
     const int    side = contact.end_pressure < 0. ? -1 : 1;
-    const double rate = side > 0 ? obstacle.gap_rate[0] : 0.;
+    const double rate = side > 0 ? obstacle.gap_rate[c] : 0.;
     end.end_pressure  = contact.end_pressure;
     if (const auto &now = end.releases.now; law.is_rigid() && now)
       {
@@ -288,12 +411,57 @@ namespace ThermoContact
 
 
 
+  double
+  BoxIntegrator::velocity_of(const unsigned int c, const State &state) const
+  {
+    return state.contact_velocity.empty() ?
+             contacts[c].sum([&](const ContactSide &side) {
+               return side.value(state.velocity);
+             }) :
+             state.contact_velocity[c];
+  }
+
+
+
+  void
+  BoxIntegrator::follow_masses(const unsigned int c,
+                               const State       &state,
+                               const StepPath    &path,
+                               EndContact        &end) const
+  {
+    const double velocity = velocity_of(c, state);
+    const double acceleration =
+      2. * (path.free_velocity - velocity) / path.size;
+    end.masses = ThermoContact::follow_masses(
+      {path.size,
+       path.front,
+       velocity,
+       acceleration,
+       state.contact_pressure[c] != 0.,
+       *body.scene.parameters.contact.restitution});
+    // the midpoint rule changes velocities by twice the mean pressure
+    const MassImpacts &masses = *end.masses;
+    end.contact.pressure      = -0.5 * masses.change / path.response;
+    end.contact.velocity =
+      path.free_velocity - path.response * end.contact.pressure;
+    end.end_velocity = masses.velocity;
+    end.end_pressure = end.contact.end_pressure =
+      masses.is_closed ? 0.5 * acceleration * path.size / path.response : 0.;
+    end.contact.weight = 1.;
+    // a mean power over the step, of the mass that response shows
+    end.contact.damping_power = 0.5 * masses.loss / path.response;
+  }
+
+
+
   BoxIntegrator::EndContact
-  BoxIntegrator::contact_for(const double     coefficient,
-                             const EndValues &free,
-                             const StepPath  &path_without_exchange,
-                             const double     size,
-                             const Releases  &releases)
+  BoxIntegrator::contact_for(const unsigned int c,
+                             const State       &state,
+                             const double       coefficient,
+                             const EndValues   &free,
+                             const StepPath    &path_without_exchange,
+                             const double       size,
+                             const Releases    &releases)
   {
     constexpr unsigned int n = HeatStages::n;
     const bool             flows =
@@ -306,11 +474,12 @@ namespace ThermoContact
     std::array<double, n>                flux{}, flux_by_pressure{};
     std::array<EndValues, HeatStages::n> by_flux;
     if (body.law().is_active())
-      by_pressure = end_response(solver.response_to_pressure(size), size);
+      by_pressure = end_response(solver.response_to_pressure(size, c), size, c);
     if (flows)
       {
         for (unsigned int i = 0; i < n; ++i)
-          by_flux[i] = end_response(solver.response_to_flux(size, i), size);
+          by_flux[i] =
+            end_response(solver.response_to_flux(size, c, i), size, c);
         const auto a = [&](const unsigned int i, const unsigned int j) {
           return (i == j) + coefficient * by_flux[j].temperature[i];
         };
@@ -341,7 +510,9 @@ namespace ThermoContact
     path.free_velocity = end.free_velocity = values.velocity;
     path.response                          = by_pressure.velocity;
     end.contact.velocity                   = values.velocity;
-    if (body.law().is_active())
+    if (body.law().is_rigid() && contacts[c].is_of_masses())
+      follow_masses(c, state, path, end);
+    else if (body.law().is_active())
       end.contact = solve_step_contact(body.law(), path);
     end.releases = releases;
     if (auto &now = end.releases.now; now && body.law().is_rigid())
@@ -361,71 +532,155 @@ namespace ThermoContact
     take(values, end.contact.pressure, by_pressure);
     for (unsigned int i = 0; i < n; ++i)
       end.flux[i] = flux[i] - end.contact.pressure * flux_by_pressure[i];
-    finish_node(values, end);
+    if (!end.masses)
+      finish_node(c, values, end);
     return end;
   }
 
 
 
   BoxIntegrator::EndContact
-  BoxIntegrator::find_contact(const State &state, const double size)
+  BoxIntegrator::find_contact(const unsigned int c,
+                              const State       &state,
+                              const double       size,
+                              const EndValues   &free,
+                              const StepPath    &path,
+                              const Releases    &releases)
   {
-    const EndValues free = end_values(state, size);
-    StepPath        path;
-    if (body.law().is_active())
-      path = path_of_node(state, size);
-    if (body.law().is_active() && !body.scene.material.has_viscosity())
-      impedance =
-        1. / solver.response_to_pressure(size).velocity.begin()[end_node];
-    const Releases releases = find_releases(state, path);
-    EndContact     end;
     if (n_heat_stages == 0 || body.scene.heat.exchange->is_constant())
-      end =
-        contact_for(state.exchange_coefficient[0], free, path, size, releases);
-    else
-      {
-        const HeatExchange &exchange = *body.scene.heat.exchange;
-        const auto          law_at   = [&](const double coefficient) {
-          end = contact_for(coefficient, free, path, size, releases);
-          const double s = std::max(path.front + size * (end.contact.velocity -
-                                                         path.front_rate),
-                                    path.rear - size * end.contact.velocity);
-          return exchange.coefficient(end.end_pressure != 0. ? 0. : s,
-                                      std::abs(end.end_pressure));
-        };
-        const double old_coefficient = state.exchange_coefficient[0];
-        const auto   excess          = [&](const double coefficient) {
-          return coefficient - law_at(0.5 * (old_coefficient + coefficient));
-        };
-        // from the last one in the direction of the law to a change of sign
-        double       low = old_coefficient, high = low;
-        const double first  = excess(low);
-        double       at_low = first, at_high = first;
-        if (first < 0.)
-          for (high = low - first; (at_high = excess(high)) < 0.;
-               low = std::exchange(high, 2. * high), at_low = at_high)
-            if (!std::isfinite(high))
-              throw ComputationError(
-                "no heat exchange coefficient goes with the contact\n  remedy: "
-                " another Boundary/right/Heat exchange");
-        if (first > 0.)
-          for (low  = high - first; (at_low = excess(low)) > 0.;
-               high = std::exchange(low, 0.5 * low), at_high = at_low)
-            ;
-        const double found =
-          first == 0. ?
-            low :
-            bracketed_root(excess, low, high, at_low, at_high).first;
-        end = contact_for(
-          0.5 * (old_coefficient + found), free, path, size, releases);
-        end.end_coefficient = found;
-      }
-    if (end.contact.pressure != 0.)
-      add_response(end.contact.pressure, solver.response_to_pressure(size));
-    for (unsigned int i = 0; i < n_heat_stages; ++i)
-      if (end.flux[i] != 0.)
-        add_response(end.flux[i], solver.response_to_flux(size, i));
+      return contact_for(
+        c, state, state.exchange_coefficient[c], free, path, size, releases);
+    EndContact          end;
+    const HeatExchange &exchange = *body.scene.heat.exchange;
+    const auto          law_at   = [&](const double coefficient) {
+      end = contact_for(c, state, coefficient, free, path, size, releases);
+      const double s =
+        std::max(path.front + size * (end.contact.velocity - path.front_rate),
+                 path.rear - size * end.contact.velocity);
+      return exchange.coefficient(end.end_pressure != 0. ? 0. : s,
+                                  std::abs(end.end_pressure));
+    };
+    const double old_coefficient = state.exchange_coefficient[c];
+    const auto   excess          = [&](const double coefficient) {
+      return coefficient - law_at(0.5 * (old_coefficient + coefficient));
+    };
+    // from the last one in the direction of the law to a change of sign
+    double       low = old_coefficient, high = low;
+    const double first  = excess(low);
+    double       at_low = first, at_high = first;
+    if (first < 0.)
+      for (high = low - first; (at_high = excess(high)) < 0.;
+           low = std::exchange(high, 2. * high), at_low = at_high)
+        if (!std::isfinite(high))
+          throw ComputationError(
+            "no heat exchange coefficient goes with the contact\n  remedy: "
+            " another Boundary/right/Heat exchange");
+    if (first > 0.)
+      for (low  = high - first; (at_low = excess(low)) > 0.;
+           high = std::exchange(low, 0.5 * low), at_high = at_low)
+        ;
+    const double found =
+      first == 0. ? low :
+                    bracketed_root(excess, low, high, at_low, at_high).first;
+    end = contact_for(
+      c, state, 0.5 * (old_coefficient + found), free, path, size, releases);
+    end.end_coefficient = found;
     return end;
+  }
+
+
+
+  namespace
+  {
+    /** Times that the contacts of a row are looked at, one after the other. */
+    constexpr unsigned int max_sweeps = 10000;
+  } // namespace
+
+
+
+  void
+  BoxIntegrator::find_contacts(const State             &state,
+                               const double             size,
+                               std::vector<EndContact> &ends)
+  {
+    set_impedances(size);
+    const unsigned int n = contacts.size();
+    free.resize(n);
+    paths.resize(n);
+    releases.resize(n);
+    ends.assign(n, EndContact());
+    for (unsigned int c = 0; c < n; ++c)
+      {
+        free[c] = end_values(state, size, c);
+        if (body.law().is_active())
+          paths[c] = path_of_node(c, state, size);
+        releases[c] = find_releases(c, state, paths[c]);
+      }
+    // what a contact has of the loads at another one
+    const auto subtract = [](EndValues       &from,
+                             const double     load,
+                             const EndValues &response) {
+      from.velocity -= load * response.velocity;
+      from.inner -= load * response.inner;
+      for (unsigned int i = 0; i < HeatStages::n; ++i)
+        from.temperature[i] -= load * response.temperature[i];
+    };
+    double largest = 0.;
+    for (unsigned int sweep = 0;; ++sweep)
+      {
+        double change = 0.;
+        for (unsigned int c = 0; c < n; ++c)
+          {
+            EndValues without = free[c];
+            for (unsigned int d = 0; d < n; ++d)
+              if (d != c)
+                {
+                  if (ends[d].contact.pressure != 0.)
+                    subtract(
+                      without,
+                      ends[d].contact.pressure,
+                      end_response(solver.response_to_pressure(size, d),
+                                   size,
+                                   c));
+                  for (unsigned int i = 0; i < n_heat_stages; ++i)
+                    if (ends[d].flux[i] != 0.)
+                      subtract(without,
+                               ends[d].flux[i],
+                               end_response(
+                                 solver.response_to_flux(size, d, i),
+                                 size,
+                                 c));
+                }
+            const EndContact found =
+              find_contact(c, state, size, without, paths[c], releases[c]);
+            change  = std::max(change,
+                              std::abs(found.contact.pressure -
+                                       ends[c].contact.pressure));
+            largest = std::max(largest, std::abs(found.contact.pressure));
+            for (unsigned int i = 0; i < n_heat_stages; ++i)
+              {
+                change =
+                  std::max(change, std::abs(found.flux[i] - ends[c].flux[i]));
+                largest = std::max(largest, std::abs(found.flux[i]));
+              }
+            ends[c] = found;
+          }
+        if (n == 1 || change <= Tolerances::rounding_of_solution * largest)
+          break;
+        if (sweep == max_sweeps)
+          throw ComputationError(
+            "the contacts of the row act on each other and do not come to "
+            "rest\n  remedy:  heavier masses or more cells of the rods");
+      }
+    for (unsigned int c = 0; c < n; ++c)
+      {
+        if (ends[c].contact.pressure != 0.)
+          add_response(ends[c].contact.pressure,
+                       solver.response_to_pressure(size, c));
+        for (unsigned int i = 0; i < n_heat_stages; ++i)
+          if (ends[c].flux[i] != 0.)
+            add_response(ends[c].flux[i], solver.response_to_flux(size, c, i));
+      }
   }
 
 
@@ -441,10 +696,10 @@ namespace ThermoContact
 
 
   void
-  BoxIntegrator::advance(const State      &state,
-                         const TimeStep   &time_step,
-                         const EndContact &end,
-                         State            &new_state)
+  BoxIntegrator::advance(const State                   &state,
+                         const TimeStep                &time_step,
+                         const std::vector<EndContact> &ends,
+                         State                         &new_state)
   {
     const double size = time_step.size;
     new_state.copy_values(state);
@@ -463,116 +718,160 @@ namespace ThermoContact
       new_state.displacement.begin()[entry] =
         body.scene.fixed_end_motion->value(time_step.last_loads);
     advance_velocity(size, state, new_state.velocity);
-
-    // values that alternate from node to node are zero in all cells
-    double *const v      = new_state.velocity.begin();
-    double        change = end.end_velocity - v[end_node];
-    for (unsigned int i = end_node + 1; i-- > 0; change = -change)
-      v[i] += change;
+    work_of_impacts = 0.;
+    set_end_velocities(state, ends, new_state);
 
     if (!body.law().is_active())
       return;
-    new_state.contact_pressure[0] = end.end_pressure;
-    if (!body.scene.heat.exchange->is_constant())
-      new_state.exchange_coefficient[0] = end.end_coefficient;
-    if (body.law().damping() > 0.)
-      return;
-    // on the obstacle to the last digit, and never behind it
-    double &u = new_state.displacement.begin()[end_node];
-    u         = end.end_pressure != 0. ?
-                  displacement_of_law(body, new_state, 0) :
-                  std::max(std::min(u, new_state.gap[0]), -body.scene.contact.rear_gap);
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        const EndContact &end         = ends[c];
+        new_state.contact_pressure[c] = end.end_pressure;
+        if (!body.scene.heat.exchange->is_constant())
+          new_state.exchange_coefficient[c] = end.end_coefficient;
+        if (body.law().damping() > 0.)
+          continue;
+        // on the obstacle to the last digit, and never behind it
+        const double u = contacts[c].sum([&](const ContactSide &side) {
+          return side.value(new_state.displacement);
+        });
+        const double place =
+          end.masses ? new_state.gap[c] + end.masses->penetration :
+          end.end_pressure != 0. ?
+            displacement_of_law(body, new_state, c) :
+            std::max(std::min(u, new_state.gap[c]),
+                     -body.scene.contact.rear_gap);
+        if (end.masses) // as impulses move them
+          {
+            const Vector &response =
+              solver.response_to_pressure(size, c).velocity;
+            const double all = contacts[c].sum(
+              [&](const ContactSide &side) { return side.value(response); });
+            for (const ContactSide &side : contacts[c].sides)
+              {
+                const double way =
+                  (place - u) * response.begin()[side.node] / all;
+                new_state.displacement.begin()[side.node] += way;
+                work_of_impacts += momentum_load.begin()[side.node] * way;
+              }
+          }
+        else if (contacts[c].sides.size() == 1)
+          new_state.displacement.begin()[contacts[c].sides[0].node] = place;
+        else
+          body.contact_end().add_to_value(Field::displacement,
+                                          c,
+                                          place - u,
+                                          new_state.displacement);
+      }
   }
 
 
 
-  double
-  BoxIntegrator::arriving(const CellValues &cell) const
+  void
+  BoxIntegrator::set_end_velocities(const State                   &state,
+                                    const std::vector<EndContact> &ends,
+                                    State &new_state) const
   {
-    const double stress =
-      cell.strain - body.scene.material.thermal_stress * cell.temperature;
-    return cell.velocity - stress / impedance;
-  }
-
-
-
-  BoxIntegrator::CellValues
-  BoxIntegrator::values_in(const State &state, const unsigned int cell) const
-  {
-    const unsigned int i      = end_node - cell;
-    const auto         middle = [i](const Vector &vector) {
-      return 0.5 * (vector.begin()[i] + vector.begin()[i - 1]);
+    double *const v = new_state.velocity.begin();
+    // values that alternate from node to node are zero in all cells
+    const auto set_end = [&](const ContactSide &side, const double velocity) {
+      double change = velocity - v[side.node];
+      for (unsigned int i = 0; i <= side.n_cells; ++i, change = -change)
+        v[side.node_behind(i)] += change;
     };
-    CellValues values;
-    values.velocity = middle(state.velocity);
-    values.strain   = difference(state.displacement, cell);
-    if (n_heat_stages > 0)
-      values.temperature = middle(state.temperature);
-    return values;
+    if (!body.scene.row.is_given())
+      return set_end(contacts[0].sides[0], ends[0].end_velocity);
+    new_state.contact_velocity.resize(contacts.size());
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      new_state.contact_velocity[c] = ends[c].end_velocity;
+    // from the right, so that a rod between two contacts has that of its right
+    for (unsigned int c = contacts.size(); c-- > 0;)
+      for (unsigned int i = contacts[c].sides.size(); i-- > 0;)
+        {
+          const ContactSide &side = contacts[c].sides[i];
+          const bool         has_other_end =
+            side.sign < 0. && c + 1 < contacts.size() &&
+            contacts[c + 1].sides[0].node_behind(side.n_cells) == side.node;
+          if (side.is_mass() || has_other_end)
+            continue;
+          const double free =
+            side.value(rates.velocity) + side.inner_value(rates.velocity) -
+            side.sign * side.middle(state.velocity, 0);
+          set_end(side,
+                  side.sign * (free + (ends[c].contact.pressure -
+                                       ends[c].end_pressure) /
+                                        contacts[c].impedances[i]));
+        }
   }
 
 
 
-  BoxIntegrator::CellValues
-  BoxIntegrator::later_values_in(const State       &state,
+  CellValues
+  BoxIntegrator::later_values_in(const ContactSide &side,
+                                 const State       &state,
                                  const double       size,
                                  const unsigned int cell) const
   {
-    const unsigned int i      = end_node - cell;
-    const auto         middle = [i](const Vector &vector) {
-      return 0.5 * (vector.begin()[i] + vector.begin()[i - 1]);
-    };
-    CellValues values = values_in(state, cell);
-    values.velocity   = 2. * middle(rates.velocity) - values.velocity;
+    CellValues values = side.values_in(state, cell);
+    values.velocity =
+      2. * side.sign * side.middle(rates.velocity, cell) - values.velocity;
     values.strain +=
-      (size + body.scene.material.viscosity) * difference(rates.velocity, cell);
+      (size + side.viscosity) * side.difference(rates.velocity, cell);
     for (unsigned int stage = 0; stage < n_heat_stages; ++stage)
       values.temperature += size * HeatStages::weights[stage] *
-                            middle(rates.temperature_rate[stage]);
+                            side.middle(rates.temperature_rate[stage], cell);
     return values;
-  }
-
-
-
-  double
-  BoxIntegrator::difference(const Vector &vector, const unsigned int cell) const
-  {
-    const unsigned int i = end_node - cell;
-    return (vector.begin()[i] - vector.begin()[i - 1]) / cell_size;
-  }
-
-
-
-  bool
-  BoxIntegrator::has_waves() const
-  {
-    return body.scene.material.viscosity < impedance * cell_size;
   }
 
 
 
   BoxIntegrator::Releases
-  BoxIntegrator::find_releases(const State &state, const StepPath &path) const
+  BoxIntegrator::find_releases(const unsigned int c,
+                               const State       &state,
+                               const StepPath    &path) const
   {
     constexpr unsigned int n_cells_seen = 3;
-    if (!body.law().is_active() || !has_waves() || end_node < n_cells_seen)
+    const Contact         &contact      = contacts[c];
+    if (!body.law().is_active() || !contact.has_waves())
       return {};
-    const double stopped = state.contact_pressure[0];
-    const double free    = rates.velocity.begin()[end_node];
-    const int    side    = stopped != 0. ? (stopped > 0. ? 1 : -1) :
-                                           (free > path.front_rate ? 1 : -1);
-    const double rate    = side > 0 ? path.front_rate : 0.;
+    for (const ContactSide &side : contact.sides)
+      if (side.n_cells < n_cells_seen)
+        return {};
+    const auto sum_of_sides = [&](const auto &of_side) {
+      double sum = of_side(0U);
+      for (unsigned int i = 1; i < contact.sides.size(); ++i)
+        sum += of_side(i);
+      return sum;
+    };
+    const double stopped = state.contact_pressure[c];
+    const double free    = contact.sum(
+      [&](const ContactSide &side) { return side.value(rates.velocity); });
+    const int    side = stopped != 0. ? (stopped > 0. ? 1 : -1) :
+                                        (free > path.front_rate ? 1 : -1);
+    const double rate = side > 0 ? path.front_rate : 0.;
     // what loads change on the way from the middle of the last cell
-    const double change = free - arriving(values_in(state, 0));
+    const double change = free - sum_of_sides([&](const unsigned int i) {
+                            return contact.arriving(
+                              i, contact.sides[i].values_in(state, 0));
+                          });
     // waves on their way back tell what came
     const auto came = [&](const unsigned int cell) {
-      const CellValues values = values_in(state, cell);
-      return side * (arriving(values) - 2. * values.velocity + rate +
-                     (1. + 2. * cell) * change);
+      return side * (sum_of_sides([&](const unsigned int i) {
+                       const CellValues values =
+                         contact.sides[i].values_in(state, cell);
+                       return contact.arriving(i, values) -
+                              2. * values.velocity;
+                     }) +
+                     rate + (1. + 2. * cell) * change);
     };
     const auto comes = [&](const unsigned int cell) {
-      return side * (arriving(later_values_in(state, path.size, cell)) - rate +
-                     (1. + 2. * cell) * change);
+      return side * (sum_of_sides([&](const unsigned int i) {
+                       return contact.arriving(
+                         i,
+                         later_values_in(
+                           contact.sides[i], state, path.size, cell));
+                     }) -
+                     rate + (1. + 2. * cell) * change);
     };
     const double coming[] = {
       came(1), came(0), side * (free - rate), comes(0), comes(1), comes(2)};
@@ -582,11 +881,15 @@ namespace ThermoContact
     };
     const auto release = [&](const unsigned int now) -> std::optional<Release> {
       const double before = coming[now - 1], after = coming[now + 1];
-      const double jump = before - after;
+      const double jump     = before - after;
+      const double rounding = Tolerances::rounding_of_fronts * jump;
       if (std::min(before, 0. - after) > Tolerances::rounding_of_data * jump &&
-          around(now) < 0.5 * jump && coming[now] <= before &&
-          coming[now] >= after)
-        return Release{side, (coming[now] - after) / jump, before, after};
+          around(now) < 0.5 * jump && coming[now] <= before + rounding &&
+          coming[now] >= after - rounding)
+        return Release{side,
+                       std::min(1., std::max(0., (coming[now] - after) / jump)),
+                       before,
+                       after};
       return std::nullopt;
     };
     Releases releases{stopped != 0. ? release(2) : std::nullopt, release(3)};
@@ -598,14 +901,17 @@ namespace ThermoContact
 
 
   std::optional<ContactChange>
-  BoxIntegrator::contact_change(const State      &state,
-                                const StepPath   &path,
-                                const EndContact &end,
-                                const State      &new_state) const
+  BoxIntegrator::contact_change(const unsigned int c,
+                                const State       &state,
+                                const StepPath    &path,
+                                const EndContact  &end,
+                                const State       &new_state) const
   {
     const ContactLaw &law       = body.law();
+    const Contact    &contact   = contacts[c];
+    const bool        has_waves = contact.has_waves();
     const bool        is_damped = law.damping() > 0.;
-    const double      before    = !is_damped      ? state.contact_pressure[0] :
+    const double      before    = !is_damped      ? state.contact_pressure[c] :
                                   path.rear > 0.  ? -path.rear :
                                   path.front > 0. ? path.front :
                                                     0.;
@@ -622,22 +928,33 @@ namespace ThermoContact
                              path.size * std::min(std::max(part, 0.), 1.),
                            velocity};
     };
-    CellValues last = values_in(new_state, 0);
-    last.strain +=
-      body.scene.material.viscosity * difference(rates.velocity, 0);
+    const auto arriving = [&]() {
+      double sum = 0.;
+      for (unsigned int i = 0; i < contact.sides.size(); ++i)
+        {
+          const ContactSide &of  = contact.sides[i];
+          CellValues         last = of.values_in(new_state, 0);
+          last.strain += of.viscosity * of.difference(rates.velocity, 0);
+          sum += contact.arriving(i, last);
+        }
+      return sum;
+    };
     const double leaving =
-      has_waves() ? arriving(last) - rate :
-                    end.end_velocity - (side > 0 ? obstacle.gap_rate[0] : 0.);
+      has_waves ? arriving() - rate :
+                  end.end_velocity - (side > 0 ? obstacle.gap_rate[c] : 0.);
+    if (end.masses)
+      return at(end.masses->change_time / path.size, 0.);
+    const double velocity = velocity_of(c, state);
     // where the mean velocity of the step takes it to the surface; its
     // velocity there, if it changes steadily up to the next step
     const auto at_surface = [&](const double mean) {
       const double part   = -start / (path.size * side * mean);
-      const double first  = 2. * (mean - state.velocity.begin()[end_node] +
-                                 (side > 0 ? state.gap_rate[0] : 0.));
+      const double first  = 2. * (mean - velocity +
+                                 (side > 0 ? state.gap_rate[c] : 0.));
       const double second = leaving - mean;
-      const double change = !has_waves() || first * second < 0. ? 0. :
-                            std::abs(first) < std::abs(second)  ? first :
-                                                                  second;
+      const double change = !has_waves || first * second < 0.  ? 0. :
+                            std::abs(first) < std::abs(second) ? first :
+                                                                 second;
       return at(part, mean + (part - 0.5) * change);
     };
     if (before == 0.)
@@ -648,10 +965,10 @@ namespace ThermoContact
       return at(end.releases.now->part, leaving);
 
     // what the obstacle stops before this step, and would at its end
-    const double stopped  = state.contact_pressure[0];
+    const double stopped  = state.contact_pressure[c];
     const double stopping = law.is_rigid() && end.contact.pressure != 0. ?
                               end.stopping :
-                              impedance * (end.end_velocity - rate);
+                              contact.impedance * (end.end_velocity - rate);
     return at(stopped / (stopped - stopping), leaving);
   }
 
@@ -686,17 +1003,22 @@ namespace ThermoContact
 
 
   void
-  BoxIntegrator::book(const State      &state,
-                      const double      size,
-                      const EndContact &end,
-                      StepResult       &result)
+  BoxIntegrator::book(const State                   &state,
+                      const double                   size,
+                      const std::vector<EndContact> &ends,
+                      StepResult                    &result)
   {
-    const double share = body.contact_end().share(0);
     set_equal(stage.velocity, rates.velocity);
-    stage.contact_pressure[0] = end.contact.pressure;
-    if (body.scene.fields.has_temperature &&
-        !body.scene.heat.exchange->is_constant())
-      stage.exchange_coefficient[0] = end.coefficient;
+    result.contact_dissipation = 0.;
+    for (unsigned int c = 0; c < ends.size(); ++c)
+      {
+        stage.contact_pressure[c] = ends[c].contact.pressure;
+        if (body.scene.fields.has_temperature &&
+            !body.scene.heat.exchange->is_constant())
+          stage.exchange_coefficient[c] = ends[c].coefficient;
+        result.contact_dissipation += size * body.contact_end().share(c) *
+                                      ends[c].contact.damping_power;
+      }
     for (unsigned int i = 0; i < stage.gap_rate.size(); ++i)
       stage.gap_rate[i] = (obstacle.gap[i] - state.gap[i]) / size;
     const bool moves = body.scene.sources.has_moving_end;
@@ -711,9 +1033,10 @@ namespace ThermoContact
         acceleration *= 2. / size;
       }
 
+    result.add_impulse(size, stage.contact_pressure, body);
     result.dissipation = result.lateral_dissipation = 0.;
-    result.work                = size * body.energy.obstacle_power(stage);
-    result.contact_dissipation = size * share * end.contact.damping_power;
+    result.work =
+      size * body.energy.obstacle_power(stage) + work_of_impacts;
     const auto add             = [&](const double  weight,
                          const Vector &heat,
                          const Vector &heating) {

@@ -61,10 +61,12 @@ namespace ThermoContact
     const auto     &matrices = *body.equations.rod();
     Factors         factors{size, nullptr, nullptr, nullptr, {}};
     double          growth  = 0.;
-    const auto      is_held = [&](const Field::Block field) {
-      return !body.discretization.constrained_entries(field).empty();
+    const auto      is_held = [&](const Field::Block field,
+                             const unsigned int end) {
+      return body.discretization.are_ends_held(field)[end];
     };
-    const RodFactors<1>::Held held{{is_held(Field::displacement)}};
+    const RodFactors<1>::Held held{{is_held(Field::displacement, 0)}},
+      held_right{{is_held(Field::displacement, 1)}};
     if (body.scene.fields.has_temperature)
       {
         RodFactors<3>::Blocks blocks;
@@ -88,15 +90,23 @@ namespace ThermoContact
           std::make_unique<const RodFactors<3>>(matrices,
                                                 blocks,
                                                 RodFactors<3>::Held{
-                                                  {is_held(Field::temperature),
-                                                   is_held(Field::temperature),
-                                                   held[0]}});
+                                                  {is_held(Field::temperature,
+                                                           0),
+                                                   is_held(Field::temperature,
+                                                           0),
+                                                   held[0]}},
+                                                RodFactors<3>::Held{
+                                                  {is_held(Field::temperature,
+                                                           1),
+                                                   is_held(Field::temperature,
+                                                           1),
+                                                   held_right[0]}});
         growth = factors.with_heat->growth();
       }
     else
       {
         factors.alone = std::make_unique<const RodFactors<1>>(
-          matrices, RodFactors<1>::Blocks{{{{momentum}}}}, held);
+          matrices, RodFactors<1>::Blocks{{{{momentum}}}}, held, held_right);
         growth = factors.alone->growth();
       }
     if (material.has_viscosity())
@@ -107,7 +117,8 @@ namespace ThermoContact
             {{{{{material.inertia, RodMatrices::momentum_mass},
                 {size * material.viscosity,
                  RodMatrices::viscous_stiffness}}}}}},
-          held);
+          held,
+          held_right);
         growth = std::max(growth, factors.viscous->growth());
       }
     if (!(growth <= Tolerances::tolerated_cancellation))
@@ -172,43 +183,47 @@ namespace ThermoContact
       solve_by(factors, right, factors.responses.emplace_back(make_rates()));
       ++counters_.responses;
     };
-    BoxRates right = make_rates();
-    end.set_load_of_node(Field::displacement,
-                         0,
-                         0.5 * factors.size,
-                         right.velocity);
-    add(right);
-    if (body.scene.heat.exchange->is_constant())
-      return;
-    for (unsigned int i = 0; i < HeatStages::n; ++i)
+    for (unsigned int node = 0; node < end.n_nodes(); ++node)
       {
-        right = make_rates();
-        end.set_load_of_node(Field::temperature,
-                             0,
-                             1.,
-                             right.temperature_rate[i]);
+        BoxRates right = make_rates();
+        end.set_load_of_node(Field::displacement,
+                             node,
+                             0.5 * factors.size,
+                             right.velocity);
         add(right);
+        for (unsigned int i = 0; i + 1 < n_responses(); ++i)
+          {
+            right = make_rates();
+            end.set_load_of_node(Field::temperature,
+                                 node,
+                                 1.,
+                                 right.temperature_rate[i]);
+            add(right);
+          }
       }
   }
 
 
 
   const BoxRates &
-  BoxSolver::response_to_pressure(const double size)
+  BoxSolver::response_to_pressure(const double       size,
+                                  const unsigned int contact)
   {
     Factors &factors = provide(size);
     if (factors.responses.empty())
       compute_responses(factors);
-    return factors.responses[0];
+    return factors.responses[contact * n_responses()];
   }
 
 
 
   const BoxRates &
-  BoxSolver::response_to_flux(const double size, const unsigned int stage)
+  BoxSolver::response_to_flux(const double       size,
+                              const unsigned int contact,
+                              const unsigned int stage)
   {
-    response_to_pressure(size);
-    return kept.front().responses[1 + stage];
+    response_to_pressure(size, contact);
+    return kept.front().responses[contact * n_responses() + 1 + stage];
   }
 
 

@@ -322,6 +322,7 @@ namespace ThermoContact
   DirkIntegrator<dim>::start_sums(StepResult &result)
   {
     result.work = result.dissipation = result.algebraic = result.impulse = 0.;
+    result.impulses.clear();
     result.contact_dissipation = result.lateral_dissipation = 0.;
   }
 
@@ -338,8 +339,7 @@ namespace ThermoContact
       weight * body.energy.damping_rate(stage_state);
     result.lateral_dissipation +=
       weight * body.energy.lateral_dissipation_rate(stage_state);
-    result.impulse +=
-      weight * body.contact_end().mean(stage_state.contact_pressure);
+    result.add_impulse(weight, stage_state.contact_pressure, body);
     if (body.energy.has_work())
       result.work +=
         weight * (body.energy.work_rate(heat_load, momentum_load, stage_state) +

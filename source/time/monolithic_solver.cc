@@ -287,9 +287,10 @@ namespace ThermoContact
                    rates.temperature_rate,
                    response.free_temperature);
     for (unsigned int i = 0; i < known_values.size(); ++i)
-      response.free_temperature[i] = known_values[i] -
-                                     body.scene.heat.obstacle_temperature +
-                                     tau * response.free_temperature[i];
+      response.free_temperature[i] =
+        known_values[i] -
+        end.outer_temperature(i, body.scene.heat.obstacle_temperature) +
+        tau * response.free_temperature[i];
 
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;

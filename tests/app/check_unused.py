@@ -20,6 +20,9 @@ VALUES = {
     **{f"Boundary/{end}/{what}": "0.1" for end in ("left", "right")
        for what in ("Traction", "Spring", "Dashpot", "Mass", "Heat flux")},
     "Boundary/left/Heat exchange": "2", "Boundary/left/Surroundings": "1",
+    "Boundary/right/Support": "free", "Boundary/right/Temperature": "1",
+    **{f"Bodies/a/{name}": "2" for name in (
+        "Length", "Cells", "Section", "Stiffness", "Density", "Viscosity", "Coupling", "Conductivity", "Mass")},
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
     "Contact/Damping": "0.5", "Contact/Stiffness": "1e8", "Rod/Lateral sides": "confined",
     "Contact/Gap": "0.2", "Contact/Rear gap": "0.3", "Contact/Massless nodes": "on",
@@ -65,6 +68,11 @@ THERMAL = """Model/Coupling; Model/Thermoelastic heating;
      Sources/Heat source; Boundary/right/Heat flux"""
 
 FREE = ("Boundary/left/Support=free",)
+CLAMPED = ("Boundary/right/Support=clamped",)
+HEATED = ("Boundary/right/Temperature=1",)
+ROW = FREE + ("Bodies/b/Length=1",)
+OF_RODS = "; ".join(f"Bodies/a/{name}" for name in (
+    "Length", "Cells", "Section", "Stiffness", "Density", "Viscosity", "Coupling", "Conductivity"))
 ON_LEFT = "; ".join(f"Boundary/left/{what}" for what in ("Traction", "Spring", "Dashpot", "Mass"))
 ON_RIGHT = "; ".join(f"Boundary/right/{what}" for what in ("Spring", "Dashpot", "Mass"))
 HEAT_ON_LEFT = "; ".join(
@@ -78,6 +86,18 @@ SCENES = [
     ("Dimension = 1", "Mesh/Geometry", (), (PLANE,)),
     ("Boundary/left/Support = clamped", ON_LEFT, (), FREE),
     ("Boundary/left/Support = free", "Boundary/left/Displacement", FREE, ()),
+    ("Boundary/right/Support = clamped", ON_RIGHT + ";Boundary/right/Traction", CLAMPED, ()),
+    ("Boundary/right/Support = free", "Contact/Gap; Contact/Massless nodes; Time/Locate contact events",
+     ("Boundary/right/Support=free",), ()),
+    ("Boundary/right/Support = free", "Contact/Rear gap", ("Boundary/right/Support=free",), ()),
+    ("Boundary/right/Temperature = 1", "Boundary/right/Surroundings; Boundary/right/Heat flux; "
+     "Boundary/right/Heat exchange", HEATED, ()),
+    ("Model/Fields = temperature", "Boundary/right/Support", ("Model/Fields=temperature",), ()),
+    ("Model/Fields = displacement", "Boundary/right/Temperature", ("Model/Fields=displacement",), ()),
+    ("section Bodies has them", "Initial values/Temperature; Initial values/Displacement; Initial values/Velocity",
+     ROW, ()),
+    ("Bodies/a/Kind = mass", OF_RODS, ROW + ("Bodies/a/Kind=mass",), ROW),
+    ("Bodies/a/Kind = rod", "Bodies/a/Mass", ROW + ("Bodies/a/Kind=rod",), ROW + ("Bodies/a/Kind=mass",)),
     ("Boundary/left/Temperature = 10", HEAT_ON_LEFT, (), ("Boundary/left/Temperature=none",)),
     ("Model/Fields = temperature", ON_LEFT + ";" + ON_RIGHT, ("Model/Fields=temperature",), FREE),
     ("Model/Fields = displacement", HEAT_ON_LEFT, ("Model/Fields=displacement",),

@@ -12,7 +12,7 @@ import numpy
 
 FUNCTIONS = {"abs": numpy.abs, "if_": numpy.where, "min": numpy.minimum, "max": numpy.maximum} | {
     name: getattr(numpy, name) for name in ("sin", "cos", "exp", "sqrt", "tanh", "pi")}
-TEXT_COLUMNS = ("kind", "reason", "status", "side", "warning_texts")
+TEXT_COLUMNS = ("kind", "reason", "status", "side", "contact", "warning_texts")
 
 
 class Table:

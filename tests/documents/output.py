@@ -40,6 +40,8 @@ SCENES = {
     "shaped": {**BODY, "Contact/Gap": "0.02+y^2", "Initial values/Displacement": "0"},
     "block": {**BODY, "Dimension": "3", "Contact/Gap": "0.02",
               "Initial values/Displacement": "0"},
+    "row": {**SHORT, "Time/Step size": "automatic", "Time/Scheme": "box", "Contact/Gap": "0", "Bodies/a/Length": "1",
+            "Bodies/b/Length": "1", "Bodies/a/Velocity": "1", "Boundary/left/Support": "free"},
     "units": {**SHORT, **{f"Scales/{name}": "2" for name in (
         "Length", "Time", "Stress", "Area", "Temperature", "Reference temperature")}},
     "study": {**SHORT, "Study/Vary": "Contact/Gap = 0.1 | 0.2",

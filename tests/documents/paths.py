@@ -14,8 +14,8 @@ import re
 import subprocess
 import sys
 
-# Words for any entry, and constants, which have the names that a file gives them.
-NO_ENTRIES = {"Section/Entry": "*", "Constants": "*"}
+# Words for any entry; constants, bodies and pairs have the names that a file gives them.
+NO_ENTRIES = {"Section/Entry": "*", "Constants": "*", "Bodies": "*", "Contacts": "*"}
 
 # Comments are skipped, and strings side by side are one.
 CPP = re.compile(r"""//[^\n]* | /\*.*?\*/ | '(?:[^'\\\n]|\\.)+' |

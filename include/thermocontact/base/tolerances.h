@@ -38,6 +38,12 @@ namespace ThermoContact
      */
     inline constexpr double strains_of_errors = 100.;
 
+    /**
+     * Of a front in the scheme without dispersion, in parts of its jump: the
+     * rounding that some thousand steps have added up.
+     */
+    inline constexpr double rounding_of_fronts = 1e-9;
+
     /** Of products that a user writes, of projections, of coordinates. */
     inline constexpr double rounding_of_data = 1e-12;
 

@@ -27,6 +27,9 @@ namespace ThermoContact
                           ///< $u_t(1)$ at the obstacle behind
     int side = 1;         ///< of the obstacle; -1: the one behind the end
 
+    /** Which contact of a row, from the left. */
+    unsigned int contact = 0;
+
     double
     velocity_into() const
     {
@@ -37,9 +40,16 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &kind &velocity &side;
+      archive &time &kind &velocity &side &contact;
     }
   };
+
+
+
+  /** Of the contact that event @p i ends, since its begin; NaN of a begin. */
+  double
+  duration_of_contact(const std::vector<ContactEvent> &events,
+                      const std::size_t                i);
 
 
 
@@ -80,6 +90,10 @@ namespace ThermoContact
      * rest, of its sign, in all steps.
      */
     std::vector<double> pressure;
+
+    /** Those of one node. */
+    ContactValues
+    of_node(const unsigned int node) const;
 
     template <class Archive>
     void

@@ -6,6 +6,7 @@
 #include <thermocontact/base/multiples.h>
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/contact/contact_law.h>
+#include <thermocontact/input/body_parameters.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/method/body_geometry.h>
@@ -90,12 +91,27 @@ namespace ThermoContact
     /** The contact end x = 1. */
     struct Right : Attached
     {
+      std::string           support = "contact";
+      std::optional<double> temperature;       ///< $\theta_B$; none: the next
       double      heat_exchange = 1.;      ///< $k\ge0$ if it is a number,
       std::string exchange_expression;     ///< or else in gap, pressure
       double      surroundings = 0.;       ///< $\theta_{obs}$, a number,
       std::string surroundings_expression; ///< or else in y, z, t
       std::string traction  = "0";         ///< $t$
       std::string heat_flux = "0";         ///< $h$
+
+      bool
+      is_clamped() const
+      {
+        return support == "clamped";
+      }
+
+      /** An obstacle of section Contact stands before the end. */
+      bool
+      meets_obstacle() const
+      {
+        return support == "contact";
+      }
     };
 
     /** The lateral faces. */
@@ -125,6 +141,7 @@ namespace ThermoContact
     std::string           gap_expression;  ///< or else in y, z, t
     std::optional<double> rear_gap;  ///< $g_2$; none: there is no rear stop
     std::optional<double> stiffness; ///< N/m^m, in SI units; in compliance
+    std::optional<double> restitution; ///< $e$ of rigid contacts of masses
     std::string           massless_nodes = "automatic";
 
     void
@@ -406,6 +423,7 @@ namespace ThermoContact
     std::string folder; ///< of the parameter file, for its tables
 
     ModelParameters         model;
+    RowParameters           row;
     BoundaryParameters      boundary;
     ContactParameters       contact;
     InitialValuesParameters initial_values;
@@ -451,7 +469,10 @@ namespace ThermoContact
   const std::vector<DeclaredEntry> &
   entries_of_program();
 
-  /** The one of that path, or null. */
+  /**
+   * The one of that path, or null; of a body or a pair the one that is declared
+   * for all names.
+   */
   const DeclaredEntry *
   find_entry(const std::string &path);
 

@@ -23,6 +23,10 @@ namespace ThermoContact
     static NumberOrText
     word(const std::string &word);
 
+    /** @p word, or any number. */
+    static NumberOrText
+    word_or_number(const std::string &word);
+
     /** @p word, or a whole number from @p smallest to @p largest. */
     static NumberOrText
     word_or_count(const std::string &word,

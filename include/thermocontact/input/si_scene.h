@@ -72,6 +72,7 @@ namespace ThermoContact
     const std::map<std::string, double> &constants;
     const unsigned int                   dim;
     const bool                           has_temperature, has_displacement;
+    const bool                           has_row;     ///< of bodies
     const bool                           is_confined; ///< no lateral strain
     const ContactLawKind                &law;
     ScalesParameters                     scales;

@@ -27,9 +27,13 @@ namespace ThermoContact
     double duration; ///< NaN of a begin
   };
 
-  /** The columns of events.csv; with two stops one more. */
+  /** The columns of events.csv; with two stops, or in a row, one more. */
   CsvColumns<EventRow>
   event_columns(const Scene &scene);
+
+  /** The columns of the table of a contact of a row. */
+  CsvColumns<ContactRecord>
+  columns_of_row_contact();
 
   /** The columns of steps.csv. */
   CsvColumns<StepAttempt>

@@ -117,6 +117,7 @@ namespace ThermoContact
     CsvFile<EventRow>                     events_file;
     CsvFile<StepAttempt>                  steps_file;
     CsvFile<ProbeRow>                     probes_file;
+    std::vector<std::unique_ptr<CsvFile<ContactRecord>>> row_files;
     std::unique_ptr<SpaceTimeOutput<dim>> space_time_output; ///< if asked for
     unsigned int                          n_written_events = 0;
     unsigned int                          n_rows           = 0;

@@ -12,7 +12,7 @@ namespace ThermoContact
 {
   /**
    * The factors of a linear system, doc/discretisation.md (D2.2), of a rod for
-   * @p n_fields unknowns at a node; those that are held vanish at node 0. Inner
+   * @p n_fields unknowns at a node; those that are held vanish at an end. Inner
    * nodes are eliminated cell by cell, once for all cells of a run; what
    * remains is a block-tridiagonal system of the vertices, which is eliminated
    * from both ends at once: two chains of operations that do not wait for each
@@ -34,14 +34,18 @@ namespace ThermoContact
     using Right    = std::array<const double *, n_fields>;
     using Solution = std::array<double *, n_fields>;
 
-    /** Which fields are held at node 0. */
+    /** Which fields are held at an end. */
     using Held = std::array<bool, n_fields>;
 
     RodFactors(const RodMatrices &matrices,
                const Blocks      &blocks,
-               const Held        &held);
+               const Held        &held,
+               const Held        &held_right = {});
 
-    /** Held values of the right-hand side at node 0 are not read. */
+    /**
+     * Held values of the right-hand side at node 0 are not read, and those at
+     * the right end are zero.
+     */
     void
     solve(const Right &right, const Solution &solution) const;
 
@@ -87,6 +91,7 @@ namespace ThermoContact
     const unsigned int                   middle;  ///< vertex that is last
     const Held                           held;
     const bool                           has_left; ///< not all are held
+    const Held                           held_right;
     std::vector<Cell>                    cells;    ///< one for each run
     std::vector<Vertex>                  vertices;
     NodeBlock                            from_left, from_right;

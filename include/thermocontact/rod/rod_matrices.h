@@ -98,13 +98,13 @@ namespace ThermoContact
     /**
      * @param tolerance up to which entries of cells are the same, as a part of
      *   the largest one of the matrix in the cell
-     * @param carries whether something is attached to the left and the right
-     *   end, of which the entries of the cell there have a part
+     * @param carries of each cell whether something is attached to one of its
+     *   vertices, of which its entries have a part; empty: of none
      */
     RodMatrices(const RodLayout           &layout,
                 const double               tolerance,
                 const Entry               &entry,
-                const std::array<bool, 2> &carries = {});
+                const std::vector<bool>   &carries = {});
 
     const RodLayout &
     layout() const

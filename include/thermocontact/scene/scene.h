@@ -11,6 +11,7 @@
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/rest_profile.h>
 #include <thermocontact/method/scheme.h>
+#include <thermocontact/scene/row.h>
 #include <thermocontact/scene/scheme_choice.h>
 
 #include <algorithm>
@@ -127,6 +128,9 @@ namespace ThermoContact
 
     double left_exchange; ///< $k_A\ge0$; 0 where a temperature is given
 
+    /** $\theta_B$ of the end $x=1$, if it is given; heat is exchanged else. */
+    std::optional<double> right_temperature;
+
     /** $\theta_A(t)$ if it varies; else null. */
     std::unique_ptr<const TimeFunction> fixed_end_drive;
 
@@ -178,6 +182,8 @@ namespace ThermoContact
     bool
     has_exchange() const
     {
+      if (right_temperature)
+        return false;
       return !exchange->is_constant() || reference_coefficient > 0.;
     }
 
@@ -192,15 +198,10 @@ namespace ThermoContact
     double
     obstacle_heat() const
     {
-      return linear_coefficient() * obstacle_temperature;
+      return right_temperature ? 0. :
+                                 linear_coefficient() * obstacle_temperature;
     }
 
-    /** Heat that leaves a node of the end, $k(\theta-\theta_{obs})$. */
-    double
-    flux(const double coefficient, const double temperature) const
-    {
-      return coefficient * (temperature - obstacle_temperature);
-    }
 
     /** $c=k_s/(k_s+1)$, the part of the way to the obstacle's temperature. */
     double
@@ -213,6 +214,16 @@ namespace ThermoContact
     double
     steady_temperature(const double x) const
     {
+      if (right_temperature)
+        {
+          // from the left end or its surroundings, with their resistance
+          const double resistance = has_given_temperature ? 0. :
+                                    left_exchange > 0. ? 1. / left_exchange :
+                                                         infinity;
+          return *right_temperature +
+                 (fixed_end_temperature - *right_temperature) * (1. - x) /
+                   (1. + resistance);
+        }
       if (has_given_temperature)
         return fixed_end_temperature -
                steady_drop() * (fixed_end_temperature - obstacle_temperature) *
@@ -391,6 +402,7 @@ namespace ThermoContact
     const Parameters &parameters = scheme_choice.parameters;
 
     const SceneFields                         fields;
+    const BodyRow                                 row; ///< of bodies, or empty
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
 
@@ -453,13 +465,15 @@ namespace ThermoContact
     }
 
     /**
-     * True if anything does work: sources, heat that drives the body, or an
-     * obstacle of its own temperature whose heat exchange varies.
+     * True if anything does work: sources, heat that drives the body, an
+     * obstacle of its own temperature whose heat exchange varies, or what is
+     * around a row of bodies, whose profile is not that of its rest.
      */
     bool
     has_work() const
     {
       return sources.any() || material.is_driven_by_heat() ||
+             (row.is_given() && fields.has_temperature) ||
              (!heat.exchange->is_constant() && heat.temperature_range() > 0.);
     }
 

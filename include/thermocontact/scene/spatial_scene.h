@@ -36,8 +36,11 @@ namespace ThermoContact
     double lateral_exchange;     ///< $m$, (M5.5)
     bool   has_free_end;
     bool   has_given_temperature;
+    bool   has_right_temperature;
+    bool   has_clamped_right;
     double left_exchange; ///< $k_A$ of the end $x=0$
     BoundaryParameters::Attached left, right;
+    BodyRow                          row;
     double                       gap; ///< $g$ of all nodes; 0 with a shape
     std::optional<Expression>    gap_expression; ///< of a shape or a motion
 

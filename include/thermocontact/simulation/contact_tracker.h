@@ -37,7 +37,7 @@ namespace ThermoContact
     ContactMode
     mode() const
     {
-      return locator.mode();
+      return is_of_several() ? ContactMode::unilateral : locators[0].mode();
     }
 
     /** Where the next attempt starts: @p accepted, or what an impact makes. */
@@ -135,18 +135,35 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &locator;
+      for (EventLocator &locator : locators)
+        archive &locator;
     }
 
   private:
-    const Body<dim>          &body;
-    Reset<dim>               &reset;
-    EventLocator              locator;
-    ContactProgress           old_progress; ///< before accept()
+    const Body<dim> &body;
+    Reset<dim>      &reset;
+
+    /**
+     * One of all nodes; or, where a row has several contacts, one of each, and
+     * steps leave contact to the law.
+     */
+    std::vector<EventLocator>    locators;
+    std::vector<ContactProgress> old_progress; ///< before accept()
     std::size_t               n_old_events;
     std::optional<StepResult> impacted;  ///< by an impact at its start
     unsigned int              n_retakes; ///< to the next event
     mutable ContactValues     next;      ///< scratch
+
+    bool
+    is_of_several() const
+    {
+      return locators.size() > 1;
+    }
+
+    /** The contacts of a row have events of their own. */
+    void
+    accept_several(const StepResult          &result,
+                   std::vector<ContactEvent> &events);
 
     /** Contact changes at the start of the step. */
     void

@@ -3,6 +3,7 @@
 #ifndef thermocontact_simulation_measurements_h
 #define thermocontact_simulation_measurements_h
 
+#include <thermocontact/contact/event_locator.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/point_values.h>
 #include <thermocontact/space/state.h>
@@ -13,6 +14,28 @@
 
 namespace ThermoContact
 {
+  /** One contact of a row of bodies: a row of contacts/LEFT-RIGHT.csv. */
+  struct ContactRecord
+  {
+    double time            = 0.;
+    double gap             = 0.; ///< $g-u_{left}+u_{right}$
+    double velocity        = 0.; ///< into the contact, relative
+    double contact_force   = 0.;
+    double contact_impulse = 0.;
+    double heat_flux       = 0.; ///< to the right
+    bool   in_contact      = false;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &gap &velocity &contact_force &contact_impulse &heat_flux
+        &in_contact;
+    }
+  };
+
+
+
   /**
    * One row of contact.csv. Extensive quantities are per unit cross-section;
    * values at the contact end are means over it. Values of a field that the
@@ -54,6 +77,8 @@ namespace ThermoContact
     double moment_z = 0.;
 
     EnergyTerms energy_terms; ///< the terms of energy; not in the file
+
+    std::vector<ContactRecord> contacts; ///< of a row of bodies; likewise
 
     /**
      * The columns of contact.csv in their order: calls @p column with the name
@@ -100,7 +125,8 @@ namespace ThermoContact
       column("contact_dissipation",
              &R::contact_dissipation,
              [](const Scene &scene) {
-               return scene.contact.law->damping() > 0.;
+               return scene.contact.law->damping() > 0. ||
+                      scene.parameters.contact.restitution.has_value();
              });
       const auto has_lateral_exchange = [](const Scene &scene) {
         return scene.heat.has_lateral_exchange();
@@ -119,7 +145,7 @@ namespace ThermoContact
         if constexpr (std::is_member_object_pointer<decltype(value)>::value)
           archive &(this->*value);
       });
-      archive &energy_terms;
+      archive &energy_terms &contacts;
     }
   };
 
@@ -157,12 +183,17 @@ namespace ThermoContact
     double               lateral_sum = 0.; ///< their sum
     std::vector<double>  contact_values;
     std::vector<NodeLaw> contact_laws;
+    ContactValues        row_values;
 
     void
     measure_displacement(const State &state, StepRecord &record);
 
     void
     measure_face(const State &state, StepRecord &record);
+
+    /** The contacts of a row, and what the columns mean there, (M10.5). */
+    void
+    measure_row(const State &state, StepRecord &record);
 
     /** Mean traction on the contact end; 0 if there is none. */
     double

@@ -41,12 +41,31 @@ namespace ThermoContact
 
     /** $g$ of the undeformed body there, at $t=0$. */
     double gap;
+
+    /** $k$ of a contact of a row if that is a number, which matrices contain. */
+    double own_exchange = 0.;
+
+    /**
+     * The node of the neighbour in a row that this one can meet, and what it
+     * has: values of such a node are those relative to the partner, and loads
+     * act on both, (M10.2). Invalid: it can meet the obstacle.
+     */
+    std::array<types::global_dof_index, 2> partner{
+      {numbers::invalid_dof_index, numbers::invalid_dof_index}};
+
+    bool
+    meets_body() const
+    {
+      return partner[0] != numbers::invalid_dof_index ||
+             partner[1] != numbers::invalid_dof_index;
+    }
   };
 
 
 
   /**
-   * The contact end $x=1$ of the body: its nodes, and what fields are there.
+   * The contact end $x=1$ of the body, or where the bodies of a row can meet:
+   * its nodes, and what fields are there.
    * Contact nodes are few: all ranks know their positions, weights and
    * pressures, in an order that does not depend on the number of ranks.
    */
@@ -102,7 +121,7 @@ namespace ThermoContact
     /**
      * Locally owned nodes: index of the node, position of its value (for the
      * displacement: of the normal one) in the local part of a vector of
-     * @p field.
+     * @p field. Partners are not among them.
      */
     const std::vector<std::pair<unsigned int, unsigned int>> &
     entries(const Field::Block field) const
@@ -135,6 +154,16 @@ namespace ThermoContact
                    const Vector        &vector,
                    std::vector<double> &values) const;
 
+    /**
+     * Adds to the value of a node: half of it each to the node and, with the
+     * other sign, its partner if it has one.
+     */
+    void
+    add_to_value(const Field::Block field,
+                 const unsigned int node,
+                 const double       change,
+                 Vector            &vector) const;
+
     /** Sets the locally owned values of a vector, one for each of all nodes. */
     void
     set_all_values(const Field::Block         field,
@@ -162,6 +191,27 @@ namespace ThermoContact
     /** Mean over the contact end of a field with these nodal values. */
     double
     mean(const std::vector<double> &values) const;
+
+    /** Temperature outside of a node: of the obstacle, or relative to a body. */
+    double
+    outer_temperature(const unsigned int node, const double of_obstacle) const
+    {
+      return nodes_[node].meets_body() ? 0. : of_obstacle;
+    }
+
+    /**
+     * Heat that leaves a node, $k(\theta-\theta_{obs})$; to its partner
+     * $k\theta$ of the difference of their temperatures.
+     */
+    double
+    flux(const unsigned int node,
+         const double       coefficient,
+         const double       temperature,
+         const double       of_obstacle) const
+    {
+      return coefficient *
+             (temperature - outer_temperature(node, of_obstacle));
+    }
 
     /** Part of the contact end that a node stands for, $w_i$ over its area. */
     double
@@ -219,6 +269,11 @@ namespace ThermoContact
     std::vector<ContactNode<dim>> nodes_;
     std::array<Entries, 2>        entries_;
     std::array<Entries, 2>        all_entries_;
+    std::array<Entries, 2>        partners_;
+
+    /** Where the bodies of a row can meet, from the left. */
+    std::vector<ContactNode<dim>>
+    find_nodes_of_row(const Discretization<dim> &discretization) const;
 
     /** All nodes of the end; those without weight last. */
     std::vector<ContactNode<dim>>
@@ -228,6 +283,7 @@ namespace ThermoContact
     /** Values at the nodes of @p entries, gathered on all ranks. */
     void
     gather(const Entries       &entries,
+           const Field::Block   field,
            const Vector        &vector,
            std::vector<double> &values) const;
   };

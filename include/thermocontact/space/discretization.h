@@ -193,7 +193,40 @@ namespace ThermoContact
       return triangulation->n_global_active_cells();
     }
 
-    /** Its end at the obstacle. */
+    /** What the cells are of a row of bodies; empty: it is one body. */
+    const BodyRow &
+    row() const
+    {
+      return row_;
+    }
+
+    /** $k$ of the contact end if it is a number, else 0. */
+    double
+    exchange_coefficient() const
+    {
+      return exchange_coefficient_;
+    }
+
+    /** True for a cell between two bodies of a row. */
+    bool
+    is_gap(const unsigned int cell) const
+    {
+      return row_.is_given() && row_.cells[cell].is_gap;
+    }
+
+    /** The place in a vector of a field of the node at the right end of a rod.
+     */
+    unsigned int
+    entry_of_right_end(const Field::Block field) const
+    {
+      return owned_by_block_[field].n_elements() - degree();
+    }
+
+    /** The nodes within the gaps of a row, which mean nothing, become zero. */
+    void
+    set_zero_in_gaps(State &state) const;
+
+    /** Its end at the obstacle, or where the bodies of a row can meet. */
     const ContactEnd<dim> &
     contact_end() const
     {
@@ -214,12 +247,33 @@ namespace ThermoContact
       return constrained_entries_[field];
     }
 
-    /** Largest difference of a field to @p value where it is constrained;
-     * collective. */
+    /** True for a constrained entry of the right end of a rod. */
+    bool
+    is_right_end(const unsigned int entry) const
+    {
+      return dim == 1 && entry > 0;
+    }
+
+    /** Whether the left and the right end of a rod hold a field. */
+    std::array<bool, 2>
+    are_ends_held(const Field::Block field) const
+    {
+      return {{is_held_left_[field], is_held_right_[field]}};
+    }
+
+    bool
+    has_right_temperature() const
+    {
+      return is_held_right_[Field::temperature];
+    }
+
+    /** Largest difference of a field to @p value where it is constrained, to
+     * @p at_right at the right end of a rod; collective. */
     double
     largest_constrained(const Field::Block field,
                         const Vector      &vector,
-                        const double       value) const;
+                        const double       value,
+                        const double       at_right = 0.) const;
 
     /** What the entries of the local part of a vector of a field are. */
     const std::vector<NodalValue<dim>> &
@@ -299,6 +353,11 @@ namespace ThermoContact
     std::vector<std::vector<unsigned int>> constrained_entries_;
 
     std::array<std::vector<NodalValue<dim>>, 2> nodal_values_;
+
+    const std::array<bool, 2> is_held_left_, is_held_right_; ///< of a rod
+
+    const BodyRow    row_;
+    const double exchange_coefficient_;
 
     /**
      * @param n_halvings how many of the refinements make the cells of the scene

@@ -144,6 +144,8 @@ namespace ThermoContact
      * energy: the temperature at rest, without sources, with the heat exchange
      * $k_s$ of the undeformed body. The interpolant of (M2.1), or, with a
      * lateral heat exchange, the solution of the semidiscrete equation (M5.7).
+     * Of a row it is the temperature of the left end everywhere, and what is
+     * around the bodies does work, (M10.3).
      */
     const Vector &
     steady_profile() const;
@@ -164,6 +166,11 @@ namespace ThermoContact
     Vector                                 steady_profile_;
     std::vector<double>                    steady_end;    ///< at contact nodes
     Vector                                 steady_stress; ///< $D^T\theta_s$
+    double reference_coefficient; ///< $k_s$ that the profile balances
+
+    /** What the profile of a row leaves of the heat of its surroundings. */
+    Vector unbalanced_heat;
+
     mutable Vector                         heat_scratch;
     mutable Vector                         heat_product;
     mutable Vector                         momentum_scratch;

@@ -72,11 +72,17 @@ namespace ThermoContact
     void
     setup(const Kind kind);
 
-    /** Adds the matrix of a cell, in all of its degrees of freedom. */
+    /** Adds a factor times the matrix of a cell, in all of its degrees of
+     * freedom. */
     void
     add(const Kind                                            kind,
         const typename DoFHandler<dim>::active_cell_iterator &cell,
-        const FullMatrix<double>                             &cell_matrix);
+        const FullMatrix<double>                             &cell_matrix,
+        const double                                          factor = 1.);
+
+    /** The factor of a coefficient in a cell of a row, (M10.1); else 1. */
+    double
+    factor(const Kind kind, const unsigned int cell) const;
 
     void
     assemble_mass();
@@ -87,6 +93,10 @@ namespace ThermoContact
     /** What the ends of a rod carry. */
     void
     assemble_attached();
+
+    /** Masses and contacts of a row. */
+    void
+    assemble_row();
 
     /** Of the contact end, and with the surroundings. */
     void

@@ -129,6 +129,7 @@ namespace ThermoContact
     const std::unique_ptr<const BodyGeometry> body;
     const bool                                has_rollers;
     const bool                                has_symmetry;
+    const double                              length;
     const double                              width;
     const double                              cross_section_;
   };

@@ -62,6 +62,7 @@ namespace ThermoContact
     const Discretization<dim> &discretization;
     ProblemData<dim>          &data;
     const double               exchange_coefficient; ///< if it is a number
+    const double               inertia;              ///< $b$
     FEValues<dim>              fe_values;
     FEFaceValues<dim>          face_values;
     AffineConstraints<double>  unconstrained;
@@ -69,11 +70,13 @@ namespace ThermoContact
     dealii::Vector<double>     cell_load;
     Vector                     outer_heat_;
 
-    /** Adds a function that acts on a field to the load of a cell. */
+    /** Adds a function that acts on a field, times a factor, to the load of a
+     * cell. */
     void
     add(const FEValuesBase<dim> &values,
         const Function<dim>     &function,
-        const Field::Block       field);
+        const Field::Block       field,
+        const double             factor = 1.);
 
     /**
      * Adds what acts on a part of the boundary to the sources, times a factor:
@@ -88,6 +91,10 @@ namespace ThermoContact
     /** Adds heat source and body force. */
     void
     integrate_volume();
+
+    /** The force on a mass at the right end of a gap of a row, (M10.1). */
+    void
+    add_force_on_mass(const typename DoFHandler<dim>::active_cell_iterator &cell);
 
     /** Adds the part of the sources that acts on a field. */
     void

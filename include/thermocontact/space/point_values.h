@@ -99,6 +99,10 @@ namespace ThermoContact
       temperature_form,
       displacement_form,
       strain_form, ///< $2\mu\,\partial_x w_x+\lambda\,\mathrm{div}\,w$
+
+      // of a row, whose bodies have coefficients of their own, (M10.1)
+      viscous_form, ///< of $w=v$, times $\zeta$ over that of the scene
+      thermal_form, ///< $\theta$, times $a$ over that of the scene
       n_forms
     };
 

@@ -48,9 +48,10 @@ namespace ThermoContact
      * the components of its FESystem. A displacement that has to be computed,
      * $b=\zeta=0$, is 0 here.
      */
-    const Data initial_fields;
+    const std::unique_ptr<Function<dim>> initial_fields;
 
-    const Data initial_velocity; ///< $(0, u_1)$ likewise; 0 without inertia
+    /** $(0, u_1)$ likewise; 0 without inertia. */
+    const std::unique_ptr<Function<dim>> initial_velocity;
 
     // sources, or null
     const Data heat_source;    ///< $q$

@@ -12,7 +12,8 @@ namespace ThermoContact
    * The velocity of a state as a field to look at. With
    * Scene::has_midpoint_mass velocities are those of cells, and nodal values
    * may alternate about them, doc/contact-in-time.md (C6.13): then those of a
-   * node are the mean of its cells, and at the ends their own.
+   * node are the mean of its cells, at the right end of a rod its own, and at a
+   * left end that nothing holds that of its cell.
    *
    * @param memory for the result, if it is not that of the state
    */

@@ -41,6 +41,12 @@ namespace ThermoContact
     std::vector<double> gap_rate;
 
     /**
+     * Velocities at the contacts of a row, relative and positive into them,
+     * where the scheme knows them better than by nodes; else empty.
+     */
+    std::vector<double> contact_velocity;
+
+    /**
      * Penetrations of known values that the difference of displacement and gap
      * would lose the digits of; else empty, as of the end of a step.
      */
@@ -79,6 +85,7 @@ namespace ThermoContact
       set_equal(velocity, from.velocity);
       contact_pressure     = from.contact_pressure;
       exchange_coefficient = from.exchange_coefficient;
+      contact_velocity     = from.contact_velocity;
     }
 
     /** Exchanges two states without copying or allocating. */
@@ -96,6 +103,7 @@ namespace ThermoContact
       gap_rate.swap(other.gap_rate);
       exchange_coefficient.swap(other.exchange_coefficient);
       known_penetration.swap(other.known_penetration);
+      contact_velocity.swap(other.contact_velocity);
     }
 
     /** What all ranks know; the vectors are saved by StateSerialiser. */
@@ -104,7 +112,7 @@ namespace ThermoContact
     serialize(Archive &archive, const unsigned int)
     {
       archive &time &contact_pressure &exchange_coefficient &gap &gap_rate
-        &load_time &jump_time;
+        &load_time &jump_time &contact_velocity;
     }
   };
 } // namespace ThermoContact

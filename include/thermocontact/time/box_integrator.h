@@ -3,10 +3,13 @@
 #ifndef thermocontact_time_box_integrator_h
 #define thermocontact_time_box_integrator_h
 
+#include <thermocontact/contact/mass_impact.h>
 #include <thermocontact/contact/step_contact.h>
 #include <thermocontact/time/box_solver.h>
+#include <thermocontact/time/contact_side.h>
 #include <thermocontact/time/time_integrator.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -17,10 +20,11 @@ namespace ThermoContact
    * The scheme without dispersion, doc/contact-in-time.md section 6: the
    * midpoint rule on equal linear cells whose mass is taken at their midpoints,
    * in steps in which a wave passes one of them, with heat by an L-stable rule
-   * in the same linear system. The contact node keeps its mass, and is one.
+   * in the same linear system. The contact nodes keep their mass.
    *
    * The velocity of a state is that of the cells, in their middles; its nodal
-   * values are those with which the contact end has its own velocity, (C6.13).
+   * values are those with which the contact end has its own velocity, (C6.13),
+   * of a rod between two contacts its right end.
    */
   class BoxIntegrator : public TimeIntegrator
   {
@@ -43,10 +47,44 @@ namespace ThermoContact
   private:
     Body<1>           &body;
     BoxSolver          solver;
-    const unsigned int end_node;  ///< its place in a vector of displacements
-    const double       cell_size; ///< $h$
-    double             impedance; ///< $1/\chi$, of a viscous rod $\sqrt b$
     const unsigned int n_heat_stages; ///< 0: there is no heat
+
+    /** Where bodies meet each other, or the obstacle. */
+    struct Contact
+    {
+      std::vector<ContactSide> sides;
+      std::vector<double>      impedances; ///< of the sides, in this step
+
+      /** $1/\chi$ of the rods, of viscous ones that of waves; infinite between
+       * masses. */
+      double impedance;
+
+      bool
+      is_of_masses() const
+      {
+        return std::all_of(sides.begin(),
+                           sides.end(),
+                           [](const ContactSide &side) {
+                             return side.is_mass();
+                           });
+      }
+
+      /** The rods pass on waves, which viscosity does not smooth. */
+      bool
+      has_waves() const;
+
+      /** Sum of what a function says of each side. */
+      template <typename OfSide>
+      double
+      sum(const OfSide &of_side) const;
+
+      /** Velocity into the contact without pressure of one of its sides, where
+       * what is in a cell arrives. */
+      double
+      arriving(const unsigned int side, const CellValues &cell) const;
+    };
+
+    std::vector<Contact> contacts;
 
     BoxRates rates, right;
 
@@ -75,7 +113,7 @@ namespace ThermoContact
       double inner      = 0.; ///< $w$ of its neighbour
       double old_middle = 0.; ///< known velocity of the last cell
 
-      /** $\theta-\theta_{obs}$ at the stages. */
+      /** $\theta-\theta_{obs}$ at the stages, or the difference of two bodies. */
       std::array<double, HeatStages::n> temperature{};
     };
 
@@ -112,6 +150,9 @@ namespace ThermoContact
       /** $p^1$ of a rigid obstacle that may pull. */
       double stopping = 0.;
 
+      /** Of rigid masses, (M10.6). */
+      std::optional<MassImpacts> masses;
+
       Releases releases;
     };
 
@@ -123,42 +164,94 @@ namespace ThermoContact
     void
     solve_without_contact(const State &state, const double size);
 
+    // of contact c
+
     EndValues
-    end_values(const State &state, const double size) const;
+    end_values(const State       &state,
+               const double       size,
+               const unsigned int c) const;
 
     /** What a unit load takes from them. */
     EndValues
-    end_response(const BoxRates &response, const double size) const;
+    end_response(const BoxRates    &response,
+                 const double       size,
+                 const unsigned int c) const;
 
     /** The contact node for a coefficient of the heat exchange. */
     EndContact
-    contact_for(const double     coefficient,
-                const EndValues &free,
-                const StepPath  &path,
-                const double     size,
-                const Releases  &releases);
+    contact_for(const unsigned int c,
+                const State       &state,
+                const double       coefficient,
+                const EndValues   &free,
+                const StepPath    &path,
+                const double       size,
+                const Releases    &releases);
 
-    /** With the coefficient of its law. */
+    /**
+     * With the coefficient of its law.
+     *
+     * @param free without loads at this contact
+     */
     EndContact
-    find_contact(const State &state, const double size);
+    find_contact(const unsigned int c,
+                 const State       &state,
+                 const double       size,
+                 const EndValues   &free,
+                 const StepPath    &path,
+                 const Releases    &releases);
 
-    /** Takes the response to a load of the contact node from the rates. */
+    /**
+     * All of them, one after the other until none changes another one, (M10.4).
+     *
+     * @throw ComputationError if they do not come to rest
+     */
+    void
+    find_contacts(const State             &state,
+                  const double             size,
+                  std::vector<EndContact> &ends);
+
+    /** Takes the response to a load of a contact node from the rates. */
     void
     add_response(const double load, const BoxRates &response);
 
+    /** Rigid masses that meet follow Newton's law of impact, (M10.6). */
+    void
+    follow_masses(const unsigned int c,
+                  const State       &state,
+                  const StepPath    &path,
+                  EndContact        &end) const;
+
+    /** Velocity of a contact at the start of a step. */
+    double
+    velocity_of(const unsigned int c, const State &state) const;
+
     /** Pressure and velocity of the node at the end of the step, (C6.13). */
     void
-    finish_node(const EndValues &values, EndContact &end) const;
+    finish_node(const unsigned int c,
+                const EndValues   &values,
+                EndContact        &end) const;
 
     StepPath
-    path_of_node(const State &state, const double size) const;
+    path_of_node(const unsigned int c,
+                 const State       &state,
+                 const double       size) const;
+
+    /** Impedances of a step of this size. */
+    void
+    set_impedances(const double size);
 
     /** The state at the end of the step. */
     void
-    advance(const State      &state,
-            const TimeStep   &time_step,
-            const EndContact &end,
-            State            &new_state);
+    advance(const State                   &state,
+            const TimeStep                &time_step,
+            const std::vector<EndContact> &ends,
+            State                         &new_state);
+
+    /** Gives the ends of rods at contacts their velocities, (C6.13). */
+    void
+    set_end_velocities(const State                   &state,
+                       const std::vector<EndContact> &ends,
+                       State                         &new_state) const;
 
     /**
      * The velocity at its end, (C6.12): of a viscous rod without what the
@@ -167,56 +260,44 @@ namespace ThermoContact
     void
     advance_velocity(const double size, const State &state, Vector &velocity);
 
-    /** What a cell near the end has of the waves, in its middle. */
-    struct CellValues
-    {
-      double velocity    = 0.;
-      double strain      = 0.; ///< with what viscosity adds to the stress
-      double temperature = 0.;
-    };
-
-    /**
-     * @param cell their number from the end
-     * @return without the stress of viscosity
-     */
+    /** The values of a side at the end of the step from @p state with the
+     * present rates. */
     CellValues
-    values_in(const State &state, const unsigned int cell) const;
-
-    /** At the end of the step from @p state with the present rates. */
-    CellValues
-    later_values_in(const State       &state,
+    later_values_in(const ContactSide &side,
+                    const State       &state,
                     const double       size,
                     const unsigned int cell) const;
 
-    /** The derivative in x in a cell. */
-    double
-    difference(const Vector &vector, const unsigned int cell) const;
-
-    /** Velocity of the end without an obstacle where what is in it arrives. */
-    double
-    arriving(const CellValues &cell) const;
-
-    /** Whether waves pass the cells, which viscosity does not smooth. */
-    bool
-    has_waves() const;
-
     /** What the waves near the end say of them, with the free rates. */
     Releases
-    find_releases(const State &state, const StepPath &path) const;
+    find_releases(const unsigned int c,
+                  const State       &state,
+                  const StepPath    &path) const;
 
     /** Where in the step the node meets or leaves an obstacle, (C6.14). */
     std::optional<ContactChange>
-    contact_change(const State      &state,
-                   const StepPath   &path,
-                   const EndContact &end,
-                   const State      &new_state) const;
+    contact_change(const unsigned int c,
+                   const State       &state,
+                   const StepPath    &path,
+                   const EndContact  &end,
+                   const State       &new_state) const;
 
     /** Work and dissipation. */
     void
-    book(const State      &state,
-         const double      size,
-         const EndContact &end,
-         StepResult       &result);
+    book(const State                   &state,
+         const double                   size,
+         const std::vector<EndContact> &ends,
+         StepResult                    &result);
+
+    // of the contacts in a step; scratch but for the first
+    std::vector<EndContact> ends;
+    std::vector<EndValues>  free;
+    std::vector<StepPath>   paths;
+    std::vector<Releases>   releases;
+
+    /** Of loads on the way of masses that impacts change, which is not that of
+     * the mean velocity. */
+    double work_of_impacts = 0.;
   };
 } // namespace ThermoContact
 

@@ -73,13 +73,15 @@ namespace ThermoContact
     void
     solve_viscous(const double size, const Vector &right, Vector &solution);
 
-    /** What a unit pressure takes from the rates of such a step. */
+    /** What a unit pressure at a contact takes from the rates of such a step. */
     const BoxRates &
-    response_to_pressure(const double size);
+    response_to_pressure(const double size, const unsigned int contact);
 
-    /** What a unit heat flux into the obstacle in a stage takes from them. */
+    /** What a unit heat flux through it in a stage takes from them. */
     const BoxRates &
-    response_to_flux(const double size, const unsigned int stage);
+    response_to_flux(const double       size,
+                     const unsigned int contact,
+                     const unsigned int stage);
 
     void
     solve(const State &,
@@ -114,7 +116,8 @@ namespace ThermoContact
       std::unique_ptr<const RodFactors<1>> alone;
       std::unique_ptr<const RodFactors<1>> viscous;
 
-      /** To a unit pressure, to a unit flux in each stage; empty: unknown. */
+      /** Contact by contact to a unit pressure, to a unit flux in each stage;
+       * empty: unknown. */
       std::vector<BoxRates> responses;
     };
 
@@ -123,6 +126,13 @@ namespace ThermoContact
     /** Those of a step by @p size. */
     Factors &
     provide(const double size);
+
+    /** To the loads of one contact. */
+    unsigned int
+    n_responses() const
+    {
+      return body.scene.heat.exchange->is_constant() ? 1 : 1 + HeatStages::n;
+    }
 
     /** All that the scene needs. */
     void

@@ -30,6 +30,10 @@ namespace ThermoContact
     double       algebraic             = 0.; ///< $A$, (D8.5)
     double       contact_dissipation   = 0.; ///< by the obstacle, (D4.7)
     double       impulse               = 0.; ///< of the contact force
+
+    /** The same of each contact of a row; else empty. */
+    std::vector<double> impulses;
+
     unsigned int n_iterations          = 0;  ///< of the stages, added up
     bool         is_prescribed = false;      ///< the paper's first step, (D5.1)
 
@@ -42,10 +46,28 @@ namespace ThermoContact
     /** Of the tableau that was used; nothing: of the scheme. */
     std::optional<unsigned int> order;
 
-    /** Where contact begins or ends in the step, if the scheme knows it. */
-    std::optional<ContactChange> contact_change;
+    /** Where each contact begins or ends in the step, if the scheme knows it. */
+    std::vector<std::optional<ContactChange>> contact_changes;
+
+    /** Contacts of rigid masses that begin and end at once in the step. */
+    std::vector<ContactEvent> impacts;
 
     std::string failure; ///< empty: the step is solved
+
+    /** Adds to the impulse what these pressures have in a time. */
+    template <int dim>
+    void
+    add_impulse(const double               duration,
+                const std::vector<double> &pressure,
+                const Body<dim>           &body)
+    {
+      impulse += duration * body.contact_end().mean(pressure);
+      if (!body.scene.row.is_given())
+        return;
+      impulses.resize(pressure.size(), 0.);
+      for (unsigned int i = 0; i < pressure.size(); ++i)
+        impulses[i] += duration * pressure[i];
+    }
 
     /** The numerical dissipation becomes what the balance of the rest lacks. */
     void

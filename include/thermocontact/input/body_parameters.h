@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_input_body_parameters_h
+#define thermocontact_input_body_parameters_h
+
+#include <thermocontact/input/parameter_text.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  using dealii::ParameterHandler;
+
+  /** A body of a row, section Bodies/NAME, (M10.1). */
+  struct BodyParameters
+  {
+    std::string  name;
+    std::string  kind          = "rod";
+    double       length        = 1.;
+    unsigned int cells         = 0; ///< 0: automatic, until a Scene has it
+    double       section       = 1.; ///< $A$
+    double       stiffness     = 1.; ///< $E$
+    double       density       = 1.; ///< $\rho$
+    double       viscosity     = 1.; ///< of $\zeta$
+    double       coupling      = 1.; ///< of $a$
+    double       conductivity  = 1.; ///< $K$
+    double       heat_capacity = 1.; ///< $c$, or $C$ of a mass
+    double       mass          = 1.; ///< $m$
+    std::string  temperature   = "0";
+    std::string  displacement  = "0";
+    std::string  velocity      = "0";
+
+    bool
+    is_mass() const
+    {
+      return kind == "mass";
+    }
+
+    /** Declares the section of the body of that name. */
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** Two neighbours of a row, section Contacts/LEFT RIGHT. */
+  struct PairParameters
+  {
+    std::string           name; ///< "LEFT RIGHT"
+    std::string           condition = "contact";
+    std::optional<double> gap;           ///< none: that of section Contact
+    std::optional<double> heat_exchange; ///< none: that of Boundary/right
+
+    bool
+    is_bonded() const
+    {
+      return condition == "bonded";
+    }
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /** The bodies of a row in the order of x, and pairs of neighbours. */
+  struct RowParameters
+  {
+    std::vector<BodyParameters> bodies;
+    std::vector<PairParameters> pairs;
+
+    bool
+    is_given() const
+    {
+      return !bodies.empty();
+    }
+
+    /** Of all rods, without gaps. */
+    double
+    length() const
+    {
+      double sum = 0.;
+      for (const BodyParameters &body : bodies)
+        sum += body.is_mass() ? 0. : body.length;
+      return sum;
+    }
+
+    /** Declares the sections that stand for those of any name. */
+    static void
+    add_templates(ParameterHandler &prm);
+
+    /**
+     * Declares and binds the sections that the assignments name, in the order
+     * in which these do.
+     *
+     * @throw InputError if a name cannot be one of a body
+     */
+    void
+    add_parameters(const std::vector<Assignment> &assignments,
+                   ParameterHandler              &prm);
+  };
+
+
+
+  /**
+   * The path of the entry or section as it is declared for all names:
+   * Bodies/NAME/Length of Bodies/bar/Length. Other paths stay as they are.
+   */
+  std::string
+  declared_path(const std::string &path);
+
+  /** Whether the path is of a section that stands for those of any name. */
+  bool
+  is_template_path(const std::string &path);
+} // namespace ThermoContact
+
+#endif

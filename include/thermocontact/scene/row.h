@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_row_h
+#define thermocontact_scene_row_h
+
+#include <thermocontact/input/parameters.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /**
+   * A cell of the mesh of a row: of a rod, whose coefficients are factors of
+   * those of the scene, (M10.1); or the gap between two bodies, which has none.
+   */
+  struct RowCell
+  {
+    double size;
+    bool   is_gap;
+
+    // of the terms of the equations, with the section A of the rod
+    double section = 0., heat_mass = 0., conduction = 0., coupling = 0.,
+           inertia = 0., stiffness = 0., viscosity = 0.;
+  };
+
+
+
+  /** A rigid mass: one vertex of the mesh, between gaps. */
+  struct RowMass
+  {
+    unsigned int vertex; ///< from the left
+    double       mass;
+    double       heat_capacity; ///< $C$
+  };
+
+
+
+  /** Two bodies that can meet, across a cell of the mesh. */
+  struct RowContact
+  {
+    std::string  name; ///< "LEFT RIGHT"
+    unsigned int cell;
+    double       gap; ///< $g$ of the undeformed bodies
+
+    std::optional<double> exchange; ///< $k$ of its own
+  };
+
+
+
+  /** One of the bodies, from the left. */
+  struct RowBody
+  {
+    std::string  name;
+    double       begin, end; ///< $x$ of its ends
+    unsigned int first_cell; ///< of a rod
+    unsigned int n_cells;    ///< 0: a mass
+
+    std::string temperature, displacement, velocity; ///< in $x-x_{begin}$
+  };
+
+
+
+  /**
+   * Rods and masses along x as one mesh: bodies are parts of it, and the gaps
+   * between them cells without any coefficient, across which contact acts. All
+   * equations, states and sums are then those of one body. Empty: the scene has
+   * the one rod of section Model.
+   */
+  struct BodyRow
+  {
+    std::vector<RowBody>    bodies;
+    std::vector<RowCell>    cells;
+    std::vector<RowMass>    masses;
+    std::vector<RowContact> contacts;
+
+    /** The last body may meet the obstacle of section Contact. */
+    bool   meets_obstacle  = false;
+    double gap_of_obstacle = 0.; ///< $g$ of the undeformed row
+
+    bool
+    is_given() const
+    {
+      return !cells.empty();
+    }
+
+    double
+    length() const
+    {
+      return is_given() ? bodies.back().end : 1.;
+    }
+
+    /** "LEFT-RIGHT" of each contact, in their order; "LEFT-obstacle". */
+    std::vector<std::string>
+    contact_names() const;
+
+    /** A place in a body, for the displacement in the middle. */
+    double
+    middle() const;
+
+    /** The first body is a mass, behind a vertex that means nothing. */
+    bool
+    begins_with_mass() const
+    {
+      return is_given() && bodies.front().n_cells == 0;
+    }
+
+    /** Contacts of bodies, and the one with the obstacle. */
+    unsigned int
+    n_contacts() const
+    {
+      return contacts.size() + (meets_obstacle ? 1 : 0);
+    }
+
+    /** $x$ where the last rod with all that are bonded to it begins, less half
+     * the gap before it. */
+    double
+    begin_of_last_part() const;
+
+    /** The body that has this place, the first of two that touch. */
+    const RowBody &
+    body_at(const double x) const;
+  };
+
+
+
+  bool
+  operator==(const BodyRow &one, const BodyRow &other);
+
+  /**
+   * @param parameters whose bodies have numbers of cells
+   * @throw InputError if a pair is not of neighbours, or bonded to a mass
+   */
+  BodyRow
+  resolve_row(const Parameters &parameters);
+
+  /** The time in which a wave passes a rod of a row, $\ell\sqrt{b\rho/E}$. */
+  double
+  passage_of_rod(const Parameters &parameters, const BodyParameters &rod);
+
+  /**
+   * The time in which waves pass the cells of all rods, or the mean of these
+   * times where they differ; of masses alone a thousandth of the run.
+   */
+  double
+  passage_of_row_cell(const Parameters &parameters);
+
+  /**
+   * Gives the rods of a row cells, where these are automatic: of all together
+   * about @p n_cells, by length or, if @p by_passage, such that a wave passes
+   * each cell in the same time, as nearly as whole numbers allow.
+   */
+  void
+  choose_row_cells(const double n_cells,
+                   const bool   by_passage,
+                   Parameters  &parameters);
+} // namespace ThermoContact
+
+#endif

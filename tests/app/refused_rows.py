@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rows of bodies that no run can have, as check_refusals.py has them: the entry at fault, what the scenes share, what
+is refused, its accepted neighbours."""
+
+
+def rods(*names):
+    """Rods of length 1/2."""
+    return tuple(f"Bodies/{name}/Length=0.5" for name in names)
+
+
+def mass(name):
+    return (f"Bodies/{name}/Kind=mass",)
+
+
+FREE = ("Boundary/left/Support=free",)
+RIGID = ("Contact/Condition=rigid",)
+ALONE = ("Boundary/right/Support=free",)
+HELD = ("Boundary/right/Support=clamped",)
+STATIC = ("Model/Inertia=0",)
+FIXED = ("Time/Step size=0.01",)
+TWO = rods("a", "b")
+SDIRK = ("Time/Scheme=sdirk4",)
+MOVING = ("Model/Fields=displacement",)
+CONDITION = "Contacts/a b/Condition"
+RESTITUTION = "Contact/Restitution"
+BALLS = MOVING + FREE + mass("a") + mass("b") + ALONE
+
+SCENES = [
+    ("Dimension", TWO, "Dimension=2", "Dimension=1"),
+    ("Mesh/Grading", TWO + SDIRK, "Mesh/Grading=2", "Mesh/Grading=1"),
+    ("Solver/Step solver", TWO + FIXED + ("Time/Scheme=backward euler",), "Solver/Step solver=fixed point",
+     "Solver/Step solver=monolithic"),
+    ("Time/Scheme", TWO + FIXED, "Time/Scheme=energy conserving", "Time/Scheme=backward euler"),
+    ("Time/Start", TWO + FIXED + ("Time/Scheme=backward euler",), "Time/Start=paper", "Time/Start=consistent"),
+    ("Contact/Massless nodes", TWO + SDIRK, "Contact/Massless nodes=on", "Contact/Massless nodes=off"),
+    ("Contact/Rear gap", TWO, "Contact/Rear gap=0.1", "Contact/Rear gap=none"),
+    ("Contact/Gap", TWO, "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1"),
+    # two contacts of rigid bodies with inertia; one is located
+    ("Time/Scheme", TWO + RIGID, "Time/Scheme=sdirk4", "Time/Scheme=box", SDIRK + ALONE,
+     SDIRK + ("Contact/Condition=normal compliance",)),
+    # what stands at the end of a row
+    ("Boundary/left/Support", MOVING + mass("a") + rods("b"), "Boundary/left/Support=clamped",
+     "Boundary/left/Support=free"),
+    ("Boundary/left/Traction", MOVING + FREE + mass("a") + rods("b"), "Boundary/left/Traction=1",
+     "Boundary/left/Traction=0"),
+    *[(f"Boundary/left/{entry}", MOVING + FREE + mass("a") + rods("b") + SDIRK + ALONE, f"Boundary/left/{entry}=1",
+       f"Boundary/left/{entry}=0", (f"Boundary/left/{entry}=1", "Bodies/a/Kind=rod"))
+      for entry in ("Spring", "Dashpot", "Mass")],
+    ("Boundary/right/Mass", MOVING + rods("a") + mass("b") + SDIRK + ALONE, "Boundary/right/Mass=1",
+     "Boundary/right/Mass=0"),
+    ("Bodies/a/Kind", STATIC + rods("b") + ("Contacts/b a/Gap=0",) + ALONE, "Bodies/a/Kind=mass",
+     ("Bodies/a/Kind=mass", "Model/Inertia=1")),
+    # held by nothing
+    ("Model/Inertia", TWO + ALONE, "Model/Inertia=0", "Model/Inertia=0.1", STATIC + HELD,
+     STATIC + (CONDITION + "=bonded",)),
+    ("Model/Inertia", rods("a", "b", "c") + HELD, "Model/Inertia=0", "Model/Inertia=0.1",
+     STATIC + (CONDITION + "=bonded",)),
+    # rigid masses that meet
+    (RESTITUTION, BALLS + RIGID, RESTITUTION + "=none", RESTITUTION + "=0.5",
+     (RESTITUTION + "=none", "Contact/Condition=normal compliance")),
+    (RESTITUTION, BALLS + RIGID, RESTITUTION + "=1.1", RESTITUTION + "=1"),
+    (RESTITUTION, MOVING + TWO + RIGID, RESTITUTION + "=0.5", RESTITUTION + "=none"),
+    ("Bodies/b/Kind", BALLS + RIGID + mass("c") + (RESTITUTION + "=1",), "Bodies/b/Kind=mass",
+     ("Bodies/b/Kind=rod", RESTITUTION + "=none")),
+    ("Bodies/a b/Length", (), "Bodies/a b/Length=1", "Bodies/a_b/Length=1"),
+    ("Contacts/a c", rods("a"), "Contacts/a c/Gap=0.1"),
+    ("Contacts/a c", TWO, "Contacts/a c/Gap=0.1", "Contacts/a b/Gap=0.1"),
+    ("Time/Scheme", BALLS + RIGID + (RESTITUTION + "=1",), "Time/Scheme=sdirk4", "Time/Scheme=box"),
+    (CONDITION, FREE + TWO, (CONDITION + "=bonded", "Bodies/b/Kind=mass", "Bodies/b/Length=1"),
+     CONDITION + "=bonded"),
+    ("Contacts/a b/Heat exchange", TWO + ("Boundary/right/Heat exchange=1+gap",), "Contacts/a b/Heat exchange=2",
+     "Contacts/a b/Heat exchange=none"),
+    # ends that are held are of rods
+    ("Dimension", HELD, "Dimension=2", "Dimension=1"),
+    ("Dimension", ("Boundary/right/Temperature=1",), "Dimension=3", "Dimension=1"),
+]

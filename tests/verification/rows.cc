@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Rows of rods and masses, doc/model.md section 6, against closed forms. Unless
+// something else is said b = 1, no heat, rigid contacts, scheme box; impedance Z
+// = A sqrt(E rho).
+//
+// 1. Two free rods, Z = 1 (length 1/2, velocity 1) and Z = 2 (length 1, at
+//    rest), side by side: p = 2/3 for 0 < t < 1, then they part with 1/3; the
+//    same with Z = 2 made by the density alone (length 1/2, so that the waves
+//    take as long) and with a soft rod (E = 1/4, Z = 1/2, length 1/4): p = 1/3.
+//    Mirrored, the second one flies to the left: the same.
+// 2. Cradle: four equal rods of length 1/2, the first with velocity 1: each
+//    contact has force 1/2 for one transit 2 L/c = 1 from t = 0, 1/2, 1 on; the
+//    last leaves with velocity 1, impulses are 1/2.
+// 3. Mass M with velocity 1 on a rod that is clamped at its other end
+//    (St-Venant), M = 1 and 2, m = 1/M: before t = 2 p = exp(-m t), behind
+//      p = exp(-m t) + 2 exp(-m s) (1 - m s), s = t - 2,
+//    until p = 0 at 1 - m s = -exp(-2 m)/2 where that is before t = 4; impulse
+//      M (1 - exp(-2m)) + M exp(-2m) (1 - exp(-m s)) + 2 s exp(-m s).
+//    Errors of the midpoint rule of the mass: of order 2 in the cells.
+// 4. A ball that falls from height 1 with gravity 2 on the ground with e = 1/2:
+//    impacts at t0 = 1 with velocity 2, then each e^n times 2 t0 later; at rest
+//    at t0 (1 + e)/(1 - e) = 3 with the pressure m gamma. Two balls, m = 1 and 3,
+//    velocity 1 and 0, e = 1/2: velocities (1 - 3 e)/4 and (1 + e)/4 behind. The
+//    energy that impacts take is booked, to rounding.
+// 5. Layers: a pressure 1 on the free left end of a rod with Z = 1 (length 1/2)
+//    bonded to one with Z = 3 (length 1) at a rigid obstacle: the front
+//    transmits 2 Z2/(Z1 + Z2) = 3/2, which a rigid obstacle doubles: p = 3 from
+//    t = 3/2 up to the next echo at 5/2.
+// 6. One rod cut in three: bonded parts are the rod, to rounding, with heat,
+//    viscosity and a contact at its end, with box and sdirk4 (the same nodes).
+//    Two parts in a contact that stays closed are the rod, too.
+// 7. Heat alone: two rods of length 1/2, conductivity 1 and 2, k = 4 between
+//    them, k = 1 to the obstacle at 0, theta_A = 10: resistances in a row
+//    1/2 + 1/4 + 1/4 + 1 = 2, flux 5; temperature of the right end 5, to 1e-8. An
+//    insulated rod at 0 beside a mass of heat capacity 2 at 3: both come to 2.
+// 8. Two rods between walls that press on each other and exchange heat by
+//    k(p) = 1/(1 - 12 (p - 1)), diffusivities 1 and 0.1, a = K = E = 1, no
+//    inertia, no thermoelastic heating, q = 1: disturbances grow like
+//    exp(0.343062 t) cos(1.116640 t), the root of the characteristic equation
+//    with the largest real part, confirmed by the eigenvalues of finite
+//    differences; by Prony's method from p(6), ..., p(9), to 1e-3.
+// 9. All of it: rods, layers, masses, heat, k(gap, p), elastic contacts:
+//    E + D + N - W is that of the start to 1e-12.
+
+#include <algorithm>
+#include <functional>
+
+#include "../tests.h"
+
+#include "../recorded_run.h"
+#include "../row_checks.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  /** Lines of a body: its name and 'Entry=value' each. */
+  Overrides
+  body(const std::string &name, const Overrides &entries)
+  {
+    Overrides result;
+    for (const std::string &entry : entries)
+      result.push_back("Bodies/" + name + "/" + entry);
+    return result;
+  }
+
+
+
+  const Overrides elastic = {"Model/Fields=displacement", "Model/Viscosity=0"};
+
+  const Overrides free_ends = {"Boundary/left/Support=free",
+                               "Boundary/right/Support=free"};
+
+  const Overrides touching = {"Contact/Condition=rigid", "Contact/Gap=0"};
+
+
+
+  /** Force, begin and end of the only contact, and the velocity behind. */
+  void
+  check_two(const std::string &name,
+            const Overrides   &bodies,
+            const double       force,
+            const double       duration,
+            const double       velocity)
+  {
+    const RecordedRun result = run<1>("",
+                                      elastic + free_ends + touching + bodies +
+                                        Overrides{"Time/End time=1.5"});
+    double            error  = 0.;
+    for (const StepRecord &row : result.rows)
+      if (row.time > 0. && row.time < duration - row.step_size)
+        raise(error, std::abs(row.contact_force - force));
+    deallog << name << ": force " << within(error, 1e-12) << ", impulse "
+            << within(std::abs(result.rows.back().contact_impulse -
+                               force * duration),
+                      1e-12)
+            << ", end "
+            << within(std::abs(result.events[1].time - duration), 1e-12)
+            << ", velocity behind "
+            << within(std::abs(result.events[1].velocity + velocity), 1e-10)
+            << ", events " << result.events.size() << std::endl;
+  }
+
+
+
+  void
+  check_cradle()
+  {
+    Overrides bodies;
+    for (const std::string name : {"a", "b", "c", "d"})
+      bodies = bodies +
+               body(name,
+                    {"Length=0.5", name == "a" ? "Velocity=1" : "Velocity=0"});
+    const RecordedRun result =
+      run<1>("",
+             elastic + free_ends + touching + bodies +
+               Overrides{"Mesh/Cells=160", "Time/End time=3"});
+    double force = 0., impulse = 0.;
+    for (const StepRecord &row : result.rows)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const double since = row.time - 0.5 * i;
+          if (since > 1.5 * row.step_size && since < 1. - 1.5 * row.step_size)
+            raise(force, std::abs(row.contacts[i].contact_force - 0.5));
+        }
+    for (const ContactRecord &contact : result.rows.back().contacts)
+      raise(impulse, std::abs(contact.contact_impulse - 0.5));
+    const StepRecord &last = result.rows.back();
+    double            begin = 0.;
+    unsigned int      n     = 0;
+    for (const ContactEvent &event : result.events)
+      if (event.kind == ContactEvent::begin && event.contact == n && n < 3)
+        raise(begin, std::abs(event.time - 0.5 * n++));
+    deallog << "cradle: force " << within(force, 1e-12) << ", impulses "
+            << within(impulse, 1e-12) << ", begins " << within(begin, 1e-12)
+            << " of " << n << ", the last one flies "
+            << within(std::abs(last.displacement_end -
+                               (last.time - 1.5)),
+                      1e-12)
+            << std::endl;
+  }
+
+
+
+  void
+  check_mass_on_rod(const double mass)
+  {
+    const double m = 1. / mass;
+    const double s = (1. + 0.5 * std::exp(-2. * m)) / m, end = 2. + s;
+    const auto   pressure = [m](const double t) {
+      return std::exp(-m * t) +
+             (t > 2. ? 2. * std::exp(-m * (t - 2.)) * (1. - m * (t - 2.)) : 0.);
+    };
+    const bool   ends_before_4 = end < 4.;
+    const double impulse =
+      mass * (1. - std::exp(-2. * m)) +
+      mass * std::exp(-2. * m) * (1. - std::exp(-m * s)) +
+      2. * s * std::exp(-m * s);
+    double errors[2], ends[2], impulses[2];
+    for (const unsigned int i : {0, 1})
+      {
+        const RecordedRun result =
+          run<1>("",
+                 elastic + touching + body("bar", {"Length=1"}) +
+                   body("hammer",
+                        {"Kind=mass", entry("Mass", mass), "Velocity=-1"}) +
+                   Overrides{"Boundary/right/Support=free",
+                             entry("Mesh/Cells", 200 << i),
+                             "Time/End time=3.9"});
+        errors[i] = 0.;
+        for (const StepRecord &row : result.rows)
+          if (std::abs(row.time - 2.) > 2.5 * row.step_size && row.time > 0.02 &&
+              row.time < end - 0.02)
+            // rows have the force of the end of a step
+            raise(errors[i],
+                  std::abs(row.contact_force - pressure(row.time)));
+        ends[i]     = ends_before_4 ? std::abs(result.events[1].time - end) : 0.;
+        impulses[i] = ends_before_4 ? std::abs(
+                                        result.rows.back().contact_impulse -
+                                        impulse) :
+                                      0.;
+      }
+    deallog << "mass " << mass << " on a rod: force " << within(errors[1], 1e-5)
+            << ", of order 2 " << (errors[0] / errors[1] > 3.6);
+    if (ends_before_4)
+      deallog << ", end " << within(ends[1], 1e-5) << ", impulse "
+              << within(impulses[1], 1e-5);
+    deallog << std::endl;
+  }
+
+
+
+  void
+  check_balls()
+  {
+    const RecordedRun ball =
+      run<1>("",
+             elastic + body("ball", {"Kind=mass", "Mass=3"}) +
+               Overrides{"Boundary/left/Support=free",
+                         "Contact/Condition=rigid",
+                         "Contact/Gap=1",
+                         "Contact/Restitution=0.5",
+                         "Sources/Body force=2",
+                         "Time/End time=3.7"});
+    double time = 0., velocity = 0., hit = 1., speed = 2.;
+    for (unsigned int n = 0; n < 8; ++n)
+      {
+        raise(time, std::abs(ball.events[2 * n].time - hit));
+        raise(velocity, std::abs(ball.events[2 * n].velocity - speed));
+        raise(velocity, std::abs(ball.events[2 * n + 1].velocity + 0.5 * speed));
+        speed *= 0.5;
+        hit += speed; // twice speed / gravity
+      }
+    const StepRecord &last = ball.rows.back();
+    deallog << "ball: impacts " << within(time, 1e-12) << ", velocities "
+            << within(velocity, 1e-11) << ", at rest "
+            << within(std::abs(ball.events.back().time - 3.), 1e-10)
+            << ", pressure "
+            << within(std::abs(last.contact_force - 6.), 1e-10) << ", energy "
+            << within(std::abs(last.energy + last.contact_dissipation -
+                               last.work),
+                      1e-11)
+            << std::endl;
+    const RecordedRun balls =
+      run<1>("",
+             elastic + body("a", {"Kind=mass", "Mass=1", "Velocity=1"}) +
+               body("b", {"Kind=mass", "Mass=3"}) + free_ends +
+               Overrides{"Contact/Condition=rigid",
+                         "Contact/Gap=0.35",
+                         "Contact/Restitution=0.5",
+                         "Time/End time=1"});
+    const StepRecord &end = balls.rows.back();
+    // (1 + e)/4 of the second for what is left of the time
+    deallog << "two balls: u(1) "
+            << within(std::abs(end.displacement_end - 0.375 * 0.65), 1e-12)
+            << ", impulse "
+            << within(std::abs(end.contact_impulse - 3. * 0.375), 1e-12)
+            << ", begin " << within(std::abs(balls.events[0].time - 0.35), 1e-12)
+            << ", energy taken "
+            << within(std::abs(end.contact_dissipation - 0.5 * 0.75 * 0.75),
+                      1e-12)
+            << std::endl;
+  }
+
+
+
+  void
+  check_layers()
+  {
+    const RecordedRun result =
+      run<1>("",
+             elastic + touching + body("a", {"Length=0.5"}) +
+               body("b", {"Length=1", "Section=3"}) +
+               Overrides{"Contacts/a b/Condition=bonded",
+                         "Boundary/left/Support=free",
+                         "Boundary/left/Traction=-1",
+                         "Mesh/Cells=150",
+                         "Time/End time=2.4"});
+    double before = 0., behind = 0.;
+    for (const StepRecord &row : result.rows)
+      if (row.time < 1.5 - row.step_size)
+        raise(before, std::abs(row.contact_force));
+      else if (row.time > 1.5 + row.step_size)
+        raise(behind, std::abs(row.contact_force - 3.));
+    deallog << "layers: before " << within(before, 1e-12) << ", behind "
+            << within(behind, 1e-12) << std::endl;
+  }
+
+
+
+  void
+  check_parts()
+  {
+    for (const std::string scheme : {"box", "sdirk4"})
+      {
+        const bool      is_box = scheme == "box";
+        const Overrides common = {"Time/Scheme=" + scheme,
+                                  is_box ? "Mesh/Degree=1" : "Mesh/Degree=3",
+                                  "Model/Coupling=0.3",
+                                  "Contact/Condition=normal compliance",
+                                  "Contact/Compliance=0.02",
+                                  "Contact/Gap=0.02",
+                                  "Boundary/right/Heat exchange=2",
+                                  "Boundary/left/Temperature=1",
+                                  "Boundary/sides/Heat exchange=0.5",
+                                  "Sources/Body force=0.2*sin(3*t)",
+                                  "Time/End time=2"};
+        const Overrides steps  = is_box ? Overrides() :
+                                          Overrides{"Time/Step size=0.01"};
+        const RecordedRun whole =
+          run<1>("",
+                 common + steps +
+                   Overrides{"Mesh/Cells=40",
+                             "Initial values/Temperature=1-x",
+                             "Initial values/Velocity=x"});
+        const RecordedRun parts =
+          run<1>("",
+                 common + steps +
+                   body("a",
+                        {"Length=0.25",
+                         "Cells=10",
+                         "Temperature=1-x",
+                         "Velocity=x"}) +
+                   body("b",
+                        {"Length=0.5",
+                         "Cells=20",
+                         "Temperature=0.75-x",
+                         "Velocity=0.25+x"}) +
+                   body("c",
+                        {"Length=0.25",
+                         "Cells=10",
+                         "Temperature=0.25-x",
+                         "Velocity=0.75+x"}) +
+                   Overrides{"Contacts/a b/Condition=bonded",
+                             "Contacts/b c/Condition=bonded"});
+        double u = 0., theta = 0., force = 0., scale = 0.;
+        for (unsigned int i = 0; i < whole.rows.size(); ++i)
+          {
+            const StepRecord &a = whole.rows[i], &b = parts.rows[i];
+            raise(u, std::abs(a.displacement_end - b.displacement_end));
+            raise(theta, std::abs(a.temperature_end - b.temperature_end));
+            raise(force, std::abs(a.contact_force - b.contact_force));
+            raise(scale, std::abs(a.contact_force));
+          }
+        deallog << scheme << ", three parts: rows "
+                << (whole.rows.size() == parts.rows.size()) << ", u(1) "
+                << within(u, 1e-12) << ", theta(1) " << within(theta, 1e-12)
+                << ", force " << within(force / scale, 1e-10) << std::endl;
+      }
+    // pressed from both sides, so that the cut stays closed
+    const Overrides pressed =
+      elastic + touching +
+      Overrides{"Boundary/left/Support=free",
+                "Boundary/left/Traction=-1-0.5*sin(6*t)^2",
+                "Time/Scheme=box",
+                "Mesh/Degree=1",
+                "Time/End time=1.8"};
+    const RecordedRun whole =
+      run<1>("",
+             pressed + Overrides{"Mesh/Cells=80",
+                                 "Initial values/Velocity=0"});
+    const RecordedRun cut   = run<1>("",
+                                   pressed + body("a", {"Length=0.5", "Cells=40"}) +
+                                     body("b", {"Length=0.5", "Cells=40"}));
+    double            force = 0.;
+    for (unsigned int i = 0; i < whole.rows.size(); ++i)
+      raise(force,
+            std::abs(whole.rows[i].contact_force -
+                     cut.rows[i].contacts[1].contact_force));
+    deallog << "cut: force at the obstacle " << within(force, 1e-11)
+            << std::endl;
+  }
+
+
+
+  void
+  check_resistances()
+  {
+    const Overrides heat = Overrides{"Model/Fields=temperature",
+                                     "Boundary/left/Temperature=10",
+                                     "Time/Tolerance=1e-10",
+                                     "Time/End time=30"} +
+                           body("a", {"Length=0.5"}) +
+                           body("b", {"Length=0.5", "Conductivity=2"});
+    const StepRecord rest =
+      run<1>("",
+             heat + Overrides{"Boundary/right/Heat exchange=1",
+                              "Contacts/a b/Heat exchange=4"})
+        .rows.back();
+    deallog << "resistances: theta(1) "
+            << within(std::abs(rest.temperature_end - 5.), 1e-8) << ", flux "
+            << within(std::abs(rest.contacts[0].heat_flux - 5.), 1e-8) << ", "
+            << within(std::abs(rest.contacts[1].heat_flux - 5.), 1e-8)
+            << std::endl;
+    const StepRecord mixed =
+      run<1>("",
+             body("rod", {"Length=1"}) +
+               body("mass", {"Kind=mass", "Heat capacity=2", "Temperature=3"}) +
+               Overrides{"Model/Fields=temperature",
+                         "Boundary/left/Temperature=none",
+                         "Boundary/right/Heat exchange=0",
+                         "Contacts/rod mass/Heat exchange=5",
+                         "Time/Tolerance=1e-10",
+                         "Time/End time=40"})
+        .rows.back();
+    deallog << "mass and rod: temperatures "
+            << within(std::abs(mixed.temperature_end - 2.), 1e-8) << std::endl;
+  }
+
+
+
+  void
+  check_rattling_rods()
+  {
+    const RecordedRun result =
+      run<1>("",
+             body("slow",
+                  {"Heat capacity=10",
+                   "Temperature=1.5-x+1e-6*sin(pi*x/2)"}) +
+               body("fast", {"Temperature=-0.5-x"}) +
+               Overrides{"Model/Inertia=0",
+                         "Model/Viscosity=0",
+                         "Model/Coupling=1",
+                         "Model/Thermoelastic heating=false",
+                         "Boundary/left/Temperature=1.5",
+                         "Boundary/right/Support=clamped",
+                         "Boundary/right/Temperature=-1.5",
+                         "Boundary/right/Heat exchange=1/(1-12*(pressure-1))",
+                         "Contact/Condition=rigid",
+                         "Contact/Gap=-2",
+                         "Time/Step size=0.01",
+                         "Time/End time=9"});
+    const auto p = [&](const unsigned int time) {
+      return result.rows.at(100 * time).contact_force - 1.;
+    };
+    // p(t + 2) = a p(t + 1) + b p(t)
+    const double determinant = p(7) * p(7) - p(6) * p(8);
+    const double a = (p(8) * p(7) - p(6) * p(9)) / determinant;
+    const double b = (p(7) * p(9) - p(8) * p(8)) / determinant;
+    const double factor = std::sqrt(-b);
+    deallog << "rattling rods: growth "
+            << within(std::abs(std::log(factor) / 0.343062 - 1.), 1e-3)
+            << ", frequency "
+            << within(std::abs(std::acos(0.5 * a / factor) / 1.116640 - 1.),
+                      1e-3)
+            << std::endl;
+  }
+
+
+
+  void
+  check_audit()
+  {
+    const Overrides bodies =
+      body("hammer",
+           {"Kind=mass", "Mass=0.7", "Velocity=1", "Temperature=3"}) +
+      body("a", {"Length=0.5", "Section=2", "Viscosity=0.5"}) +
+      body("b", {"Length=0.4", "Density=2", "Stiffness=3", "Coupling=2"}) +
+      body("c", {"Length=0.6", "Conductivity=3", "Temperature=2*x"});
+    for (const std::string exchange :
+         {"2", "if(pressure > 0, 1 + 10*pressure, 0.1/(0.1 + gap))"})
+      {
+        const RecordedRun result =
+          run<1>("",
+                 bodies +
+                   Overrides{"Model/Coupling=0.3",
+                             "Model/Viscosity=0.02",
+                             "Boundary/left/Support=free",
+                             "Boundary/left/Temperature=none",
+                             "Boundary/right/Heat exchange=" + exchange,
+                             "Contacts/a b/Condition=bonded",
+                             "Contact/Condition=normal compliance",
+                             "Contact/Compliance=0.01",
+                             "Contact/Gap=0.05",
+                             "Mesh/Cells=60",
+                             "Time/End time=4"});
+        const StepRecord &first = result.rows.front();
+        double            defect = 0.;
+        for (const StepRecord &row : result.rows)
+          {
+            raise(defect,
+                  std::abs(row.energy + row.dissipation +
+                           row.numerical_dissipation - row.work -
+                           first.energy));
+          }
+        deallog << "audit, k = " << exchange << ": defect "
+                << within(defect / first.energy, 1e-12) << ", contacts "
+                << result.rows.back().contacts.size() << ", all met "
+                << std::all_of(result.rows.back().contacts.begin(),
+                               result.rows.back().contacts.end(),
+                               [](const ContactRecord &c) {
+                                 return c.contact_impulse > 0.;
+                               })
+                << std::endl;
+      }
+  }
+} // namespace
+
+
+
+void
+main_rows()
+{
+  initlog();
+  check_two("section",
+            body("striker", {"Length=0.5", "Velocity=1"}) +
+              body("bar", {"Length=1", "Section=2"}),
+            2. / 3.,
+            1.,
+            1. / 3.);
+  check_two("density",
+            body("striker", {"Length=0.5", "Velocity=1"}) +
+              body("bar", {"Length=0.5", "Density=4"}),
+            2. / 3.,
+            1.,
+            1. / 3.);
+  check_two("stiffness",
+            body("striker", {"Length=0.5", "Velocity=1"}) +
+              body("bar", {"Length=0.25", "Stiffness=0.25"}),
+            1. / 3.,
+            1.,
+            1.);
+  check_two("mirrored",
+            body("bar", {"Length=1", "Section=2"}) +
+              body("striker", {"Length=0.5", "Velocity=-1"}),
+            2. / 3.,
+            1.,
+            1. / 3.);
+  check_cradle();
+  check_mass_on_rod(1.);
+  check_mass_on_rod(2.);
+  check_balls();
+  check_layers();
+  check_parts();
+  check_resistances();
+  check_rattling_rods();
+  check_audit();
+}
