@@ -17,7 +17,7 @@
 
 namespace ThermoContact
 {
-  /** What the user asks for. */
+  /** The request of the user. */
   struct Request
   {
     /**

@@ -115,10 +115,9 @@ namespace ThermoContact
     const unsigned int n = laws.size();
     mean.assign(n, 0.);
     derivative.reinit(n, n);
-    // Where nodes change together, the branches that follow are those of a
-    // point a little further on; what is wrong up to there is of second order
-    // in it. Nodes that move within rounding are not seen to change: then
-    // further on.
+    // Where nodes change together, the next branches are taken at a point a
+    // little further on; the error up to there is of second order in it. Nodes
+    // that move within rounding are not seen to change: then further on.
     double                     lead = Tolerances::simultaneous_changes;
     Values                     pressure(n, 0.);
     dealii::FullMatrix<double> response(n, n), change(n, 1);

@@ -169,7 +169,7 @@ namespace ThermoContact
   {
     if (is_margin_pressure())
       return std::abs(s) <= 0.1 * tolerance * sizes.pressure;
-    // what the floating-point numbers of displacement and time can tell apart
+    // floating-point numbers of displacement and time tell no less apart
     const bool   has_mass = nodes == NodeOrder::inertial;
     const double size     = mode_ == ContactMode::closed && !has_mass ?
                               law.penetration(sizes.pressure) :
@@ -362,7 +362,7 @@ namespace ThermoContact
       {
         // A closed rigid obstacle holds the gap at zero, up to rounding, so
         // that the root is an end of the step. Contact changes the velocity
-        // within it: that of the free side counts.
+        // within it: the free side counts.
         const unsigned int  old_node = old.foremost();
         const unsigned int  node     = local.foremost();
         const double        gap0     = -old.penetration(old_node);

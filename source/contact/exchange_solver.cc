@@ -143,7 +143,7 @@ namespace ThermoContact
         return stage.law_at(k);
       }
 
-      /** Solves what the secants tell, and takes the law for the rest. */
+      /** Solves by the secants, and takes the law for the rest. */
       Values
       step(const Values &k, const Values &law)
       {

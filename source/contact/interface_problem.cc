@@ -21,7 +21,7 @@ namespace ThermoContact
     /** Sets of tangents that Newton's method may take at once. */
     constexpr unsigned int max_sets_of_many_changes = 20;
 
-    /** What node @p i loses by the pressures of the others. */
+    /** The loss of node @p i by the pressures of the others. */
     double
     loss_by_others(const FullMatrix<double>  &receptance,
                    const std::vector<double> &pressure,

@@ -72,7 +72,7 @@ namespace ThermoContact
                (1. - weight) * law.mean_pressure(start, end.penetration);
       }
 
-      /** What damping multiplies it with. */
+      /** Factor of the pressure by damping. */
       double
       damping_factor(const SideEnd &end) const
       {
@@ -241,7 +241,7 @@ namespace ThermoContact
         const auto beyond = [&](const double pressure) {
           return sign * excess(ends_under(i, pressure), weights);
         };
-        // that of a rigid obstacle
+        // the pressure of a rigid obstacle
         const double rigid =
           0. - excess(ends_under(i, 0.), weights) / path.response;
         if (law.is_rigid())
@@ -266,7 +266,7 @@ namespace ThermoContact
         const auto function = [&](const double velocity) {
           return excess(ends_at(velocity), weights);
         };
-        // pushed by what it leaves, at most as at its surface
+        // pushed by the obstacle that it leaves, at most as at its surface
         double low = path.free_velocity, high = low;
         for (unsigned int i = 0; i < n; ++i)
           {

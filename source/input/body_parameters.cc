@@ -17,7 +17,7 @@ namespace ThermoContact
 
     const std::string bodies_section = "Bodies", pairs_section = "Contacts";
 
-    /** What stands for a name in the sections that are declared for all. */
+    /** Names in the sections that are declared for bodies of any name. */
     const std::string any_body = "NAME", any_pair = "LEFT RIGHT";
 
     const Double positive(1e-15, 1e15), not_negative(0., 1e15);

@@ -60,10 +60,10 @@ namespace ThermoContact
 
 
 
-  RodMatrices::RodMatrices(const RodLayout           &layout,
-                           const double               tolerance,
-                           const Entry               &entry,
-                           const std::vector<bool>   &carries)
+  RodMatrices::RodMatrices(const RodLayout         &layout,
+                           const double             tolerance,
+                           const Entry             &entry,
+                           const std::vector<bool> &carries)
     : layout_(layout)
   {
     const unsigned int  n = layout.nodes_per_cell();
@@ -216,7 +216,7 @@ namespace ThermoContact
 
 
 
-    /** Cells of any degree; of that of the compiler if it is not 0. */
+    /** Cells of any degree; of @p fixed_degree if it is not 0. */
     template <unsigned int fixed_degree, std::size_t n_terms>
     void
     add_cells_of_rod(const RodLayout                    &layout,

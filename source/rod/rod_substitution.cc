@@ -161,7 +161,7 @@ namespace ThermoContact
   {
     for (double *const field : solution)
       field[0] = 0.;
-    // what node 0 takes from the vertex behind it
+    // the part of node 0 in the vertex behind it
     std::array<double, n_fields> from_node_0{};
     const auto                   eliminate_node_0 = [&]() {
       for (unsigned int k = 0; k < n_fields; ++k)

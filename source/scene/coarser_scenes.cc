@@ -31,7 +31,7 @@ namespace ThermoContact
 
 
 
-    /** Whatever holds steps below what the tolerance asks for. */
+    /** All entries that keep steps smaller than the tolerance does. */
     void
     scale_limits_of_steps(const double factor, Parameters &parameters)
     {
@@ -76,11 +76,11 @@ namespace ThermoContact
       bool changes = false;
       for (BodyParameters &body : parameters.row.bodies)
         {
-          changes = changes || body.cells > 1;
+          changes    = changes || body.cells > 1;
           body.cells = (body.cells + 1) / 2;
         }
       if (changes && has_joined_steps_and_cells(parameters))
-        parameters.time.step_size.reset(); // that of the cells
+        parameters.time.step_size.reset(); // it follows from the cells
       return changes;
     }
 

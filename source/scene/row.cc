@@ -236,7 +236,7 @@ namespace ThermoContact
     double length = 0.;
     for (const BodyParameters &body : given.bodies)
       length += body.is_mass() ? 0. : body.length;
-    // what a gap that is closed has in the mesh
+    // length of a closed gap in the mesh
     const double smallest_gap = 1e-9 * (length > 0. ? length : 1.);
     double       x            = 0.;
 

@@ -129,7 +129,7 @@ namespace ThermoContact
 
 
 
-    /** What a scheme without dispersion is for: Scheme::has_no_dispersion. */
+    /** The scenes of a scheme without dispersion: Scheme::has_no_dispersion. */
     void
     check_dispersion(const Scene &scene)
     {
@@ -256,9 +256,9 @@ namespace ThermoContact
     /**
      * Whether somewhere on the end the rate of @p motion has no limit at $t=0$,
      * as that of sqrt(t). It has one where an enclosure of the rate over the
-     * start is finite. What that leaves open, such as $t^{3/2}$, grows towards
-     * zero or does not, in the middle, or else in quarters of the end: a
-     * condition on the place may have both of its branches.
+     * start is finite. A rate that this leaves open, as of $t^{3/2}$, grows
+     * towards zero or does not, in the middle, or else in quarters of the end:
+     * a condition on the place may have both of its branches.
      *
      * @param y, z of the end, or of a part of it
      */
@@ -313,7 +313,7 @@ namespace ThermoContact
 
 
 
-    /** What moves the obstacle, or the fixed end. */
+    /** Motions of the obstacle, or of the fixed end. */
     void
     check_drives(const Scene &scene)
     {
@@ -468,7 +468,7 @@ namespace ThermoContact
 
 
 
-    /** What the ends of a rod carry. */
+    /** Springs, dashpots and masses of the ends of a rod. */
     void
     check_attached(const Scene &scene)
     {
@@ -484,7 +484,7 @@ namespace ThermoContact
                  parameters.dimension,
                  std::string("1, since ") + path,
                  "Boundary/right/Heat exchange of a large value, or a rod");
-      const auto                check_end = [&](const std::string                  &part,
+      const auto check_end = [&](const std::string                  &part,
                                  const BoundaryParameters::Attached &end,
                                  const bool is_contact_end) {
         for (const auto &[name, value, resists_velocity] :
@@ -507,7 +507,7 @@ namespace ThermoContact
             attached.since(resists_velocity && scene.material.is_static(),
                            "Model/Inertia = 0 and Model/Viscosity = 0",
                            "one of them above 0: a body without both moves at "
-                                          "once where a load jumps, against any dashpot");
+                           "once where a load jumps, against any dashpot");
             attached.since(scene.is_fixed_point,
                            "Solver/Step solver = fixed point",
                            "Solver/Step solver = monolithic");
@@ -517,13 +517,13 @@ namespace ThermoContact
                            name_of_scheme(scene),
                            take_default_scheme(
                              "the contact nodes of that one carry nothing that "
-                                            "resists velocities"));
+                             "resists velocities"));
             attached.since(scene.scheme.has_no_dispersion &&
                              (is_contact_end || is_mass),
                            name_of_scheme(scene),
                            take_default_scheme(
                              "that one has springs and dashpots on the left "
-                                            "alone"));
+                             "alone"));
           }
       };
       if (scene.has_free_end)
@@ -588,8 +588,8 @@ namespace ThermoContact
                "1 for a contact without loss");
       const std::size_t n     = bodies.size();
       const auto        is_of = [&](const std::size_t i) {
-        return bodies[i].is_mass() && (i + 1 < n ? bodies[i + 1].is_mass() :
-                                                   scene.row.meets_obstacle);
+        return bodies[i].is_mass() &&
+               (i + 1 < n ? bodies[i + 1].is_mass() : scene.row.meets_obstacle);
       };
       bool has_any = false;
       for (std::size_t i = 0; i < n; ++i)
@@ -634,10 +634,10 @@ namespace ThermoContact
         !scene.has_free_end || boundary.left.spring > 0.;
       const bool is_held_right =
         boundary.right.is_clamped() || boundary.right.spring > 0.;
-      const std::size_t n_parts = scene.row.contacts.size() + 1;
-      const bool        are_held =
-        n_parts == 1 ? is_held_left || is_held_right :
-                       n_parts == 2 && is_held_left && is_held_right;
+      const std::size_t n_parts  = scene.row.contacts.size() + 1;
+      const bool        are_held = n_parts == 1 ?
+                                     is_held_left || is_held_right :
+                                     n_parts == 2 && is_held_left && is_held_right;
       if (!are_held)
         refuse("Model/Inertia",
                0,
@@ -648,7 +648,7 @@ namespace ThermoContact
 
 
 
-    /** What a row of bodies cannot have, (M10.1). */
+    /** Entries that a row of bodies cannot have, (M10.1). */
     void
     check_row(const Scene &scene)
     {
@@ -658,7 +658,7 @@ namespace ThermoContact
         return;
       const BodyRow &row  = scene.row;
       const auto     name = "section Bodies makes a row";
-      const auto     no = [&](const bool         is_there,
+      const auto     no   = [&](const bool         is_there,
                           const std::string &path,
                           const std::string &value,
                           const std::string &allowed,
@@ -728,16 +728,12 @@ namespace ThermoContact
       no_loads("Boundary/right/",
                parameters.boundary.right,
                parameters.row.bodies.back());
-      Refusal{"Boundary/left/Support",
-              parameters.boundary.left.support,
-              "free"}
+      Refusal{"Boundary/left/Support", parameters.boundary.left.support, "free"}
         .since(row.begins_with_mass() && scene.fields.has_displacement &&
                  !scene.has_free_end,
                "the row begins with a mass",
                "Boundary/left/Support = free, or a rod before it");
-      Refusal{"Boundary/left/Traction",
-              parameters.boundary.left.traction,
-              "0"}
+      Refusal{"Boundary/left/Traction", parameters.boundary.left.traction, "0"}
         .since(row.begins_with_mass() && scene.sources.has_left_traction,
                "the row begins with a mass",
                "Sources/Body force, which acts on masses, too");
@@ -753,8 +749,7 @@ namespace ThermoContact
       const bool has_impacts =
         scene.contact.law->is_rigid() && scene.contact.has_mass();
       Refusal{"Time/Scheme", scene.scheme.name, "box or automatic"}.since(
-        has_impacts && row.n_contacts() > 1 &&
-          !scene.scheme.has_no_dispersion,
+        has_impacts && row.n_contacts() > 1 && !scene.scheme.has_no_dispersion,
         text("the row has ",
              row.n_contacts(),
              " rigid contacts of bodies with inertia"),
@@ -803,7 +798,8 @@ namespace ThermoContact
 
 
 
-    /** What needs factors has to have them; a tolerance has to be reached. */
+    /** Scenes that need factors have to have them; a tolerance has to be
+     * reached. */
     void
     check_linear_solver(const Scene &scene)
     {

@@ -34,7 +34,7 @@ namespace ThermoContact
 
 
 
-    /** What means a field or a term that the scene does not have. */
+    /** Entries of a field or a term that the scene does not have. */
     void
     add_by_model(const Scene &scene, Collector &unused)
     {
@@ -105,7 +105,7 @@ namespace ThermoContact
 
 
 
-    /** What bodies of a row do not have, and the scene without one. */
+    /** Entries that bodies of a row do not have. */
     void
     add_by_row(const Parameters &parameters, Collector &unused)
     {
@@ -118,7 +118,7 @@ namespace ThermoContact
       for (const BodyParameters &body : row.bodies)
         {
           const std::string section = "Bodies/" + body.name + "/";
-          const auto        add = [&](const bool         is_unused,
+          const auto        add     = [&](const bool         is_unused,
                                const Paths       &names,
                                const std::string &kind) {
             for (const std::string &name : names)
@@ -210,8 +210,7 @@ namespace ThermoContact
                   condition);
     const BoundaryParameters::Right &right = parameters.boundary.right;
     const std::string                given =
-      "Boundary/right/Temperature = " +
-      text(right.temperature.value_or(0.));
+      "Boundary/right/Temperature = " + text(right.temperature.value_or(0.));
     unused.add_if(!scene.heat.has_exchange() && !right.temperature,
                   {"Boundary/right/Surroundings"},
                   "Boundary/right/Heat exchange = 0");

@@ -17,7 +17,7 @@ namespace ThermoContact
 
 
 
-    /** Adds what an impact has cost to a step. */
+    /** Adds the cost of an impact to a step. */
     void
     book(const StepResult &impact, StepResult &result)
     {
@@ -89,10 +89,10 @@ namespace ThermoContact
       return {};
     get_contact_values(body, result.state, next);
     return locators[0].examine(next,
-                           time_step.target == TimeStep::event,
-                           {mechanical_energy,
-                            std::sqrt(2. * body.scene.material.inertia *
-                                      mechanical_energy)});
+                               time_step.target == TimeStep::event,
+                               {mechanical_energy,
+                                std::sqrt(2. * body.scene.material.inertia *
+                                          mechanical_energy)});
   }
 
 
@@ -261,8 +261,8 @@ namespace ThermoContact
     // its velocity is that of the step, as are the rates that it followed
     if (body.scene.material.is_static())
       return;
-    EventLocator &locator = locators[0]; // the obstacle of a row rests
-    State               &state = result.state;
+    EventLocator        &locator = locators[0]; // the obstacle of a row rests
+    State               &state   = result.state;
     std::vector<NodeLaw> before, behind;
     std::vector<double>  position;
     body.obstacle.set_rates(at.old_time, state);
@@ -288,7 +288,7 @@ namespace ThermoContact
     get_contact_values(body, state, next);
     locator.set_present(next);
     if (is_held && towards <= continuous && away > continuous)
-      locator.switch_at_start(state.time); // what has inertia does not follow
+      locator.switch_at_start(state.time); // nodes with inertia do not follow
     else if (std::max(towards, away) > continuous && body.law().is_rigid() &&
              body.scene.contact.order == NodeOrder::viscous)
       jump(state, events);

@@ -37,14 +37,14 @@ namespace ThermoContact
 
 
 
-    /** What a run may create, in parts of the largest energy. */
+    /** The energy that a run may create, in parts of the largest one. */
     double
     allowed_energy(const Scene &scene)
     {
       // the fronts of a row are sharp where all rods have the same passage
-      const bool can_create = scene.scheme.can_create_energy ||
-                              (scene.scheme.has_no_dispersion &&
-                               !dispersion_warning(scene).empty());
+      const bool can_create =
+        scene.scheme.can_create_energy ||
+        (scene.scheme.has_no_dispersion && !dispersion_warning(scene).empty());
       return can_create && !scene.parameters.time.has_error_control() ?
                Tolerances::energy_of_fixed_steps :
                Tolerances::energy_of_rounding;

@@ -18,7 +18,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** What the initial temperature differs by from that of the fixed end. */
+    /** Difference of the initial temperature and the fixed end. */
     template <int dim>
     double
     mismatch_of_fixed_end(const Body<dim> &body, const State &state)
@@ -133,7 +133,7 @@ namespace ThermoContact
 
 
     /**
-     * What the initial displacement says of a rigid obstacle holds for its
+     * The initial displacement decides on contact with a rigid obstacle for its
      * projection: a node on it, but for rounding, is there, and one before it
      * not behind it.
      */
@@ -192,7 +192,7 @@ namespace ThermoContact
     {
       const Scene &scene = body.scene;
       if (!scene.contact.law->is_rigid() || scene.material.is_static())
-        return; // what is static is in equilibrium with the obstacle
+        return; // a static body is in equilibrium with the obstacle
       const QuantityUnits units(scene.parameters);
       const double        prescribed_time =
         scene.has_prescribed_start && scene.parameters.time.end_time > 0. ?

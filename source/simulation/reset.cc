@@ -12,7 +12,7 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Those that were given, else those that do not lie before the obstacle.
+    /** The given nodes, else all nodes that do not lie before the obstacle.
      */
     template <int dim>
     std::vector<bool>
@@ -446,7 +446,7 @@ namespace ThermoContact
         provide_heat_mass().solve(temperature, heat);
         state.temperature += temperature;
       }
-    state.velocity = 0.; // that of a motion at once says nothing
+    state.velocity = 0.; // a motion at once has none
     set_exchange_of_law(body, state);
   }
 
@@ -459,8 +459,8 @@ namespace ThermoContact
   {
     const auto &entries =
       body.discretization.constrained_entries(Field::temperature);
-    Vector change = body.discretization.make_vector(Field::temperature);
-    Vector heat(change), inside(change);
+    Vector     change = body.discretization.make_vector(Field::temperature);
+    Vector     heat(change), inside(change);
     const auto given = [&](const unsigned int entry) {
       return body.discretization.is_right_end(entry) ?
                *body.scene.heat.right_temperature :

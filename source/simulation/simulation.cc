@@ -86,7 +86,7 @@ namespace ThermoContact
     , energy_monitor(scene_)
     , spatial_error_monitor(scene_, discretization())
   {
-    std::vector<std::string> warnings; // after those of the initial state
+    std::vector<std::string> warnings; // after warnings of the initial state
     controller.follow(load_history(scene_, body_.data, warnings));
     set_initial_state();
     history_.warnings.insert(history_.warnings.end(),

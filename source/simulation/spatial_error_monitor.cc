@@ -183,7 +183,7 @@ namespace ThermoContact
     if (cell_sizes.empty())
       return;
     const EnergyTerms &energy = record.energy_terms;
-    // what is below the rounding of the values themselves is none
+    // a part below the rounding of the values themselves is none
     const auto rounding = [](const double value) {
       const double size = Tolerances::rounding_of_solution * value;
       return size * size;

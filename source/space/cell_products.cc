@@ -44,7 +44,7 @@ namespace ThermoContact
 
 
 
-    /** Adds those of the first @p n_cells lanes. */
+    /** Adds the values of the first @p n_cells lanes. */
     template <int n_components, typename Number>
     inline void
     scatter(const Lanes<Number> *values,
@@ -74,7 +74,7 @@ namespace ThermoContact
 
 
 
-    /** What a point of the cells of a batch has. */
+    /** The values of a point of the cells of a batch. */
     template <int dim, typename Number>
     struct CellPoint
     {

@@ -116,7 +116,7 @@ namespace ThermoContact
                                     momentum_lift,
                                     momentum_load,
                                     momentum_product);
-        // what the known velocity of the end says is in that term
+        // the known velocity of the end is in this term
         for (const unsigned int entry : entries_[Field::displacement])
           known.velocity.begin()[entry] = 0.;
       }
@@ -172,7 +172,7 @@ namespace ThermoContact
         equations.divergence.vmult(heat_product, state.velocity);
         sum += scene.material.heating * product_at(end, heat_product, excess);
       }
-    // what the surroundings give is part of the state of rest
+    // the heat of the surroundings is part of the state of rest
     return sum - product_at(end, heat_load, excess) +
            product_at(end, loads.outer_heat(), excess);
   }

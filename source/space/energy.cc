@@ -334,7 +334,7 @@ namespace ThermoContact
     scratch.resize(laws.size());
     for (unsigned int i = 0; i < laws.size(); ++i)
       scratch[i] =
-        // velocities of what moves at once say nothing
+        // a motion at once has no velocity
         material.is_static() ?
           laws[i].elastic_pressure(position[i]) :
           laws[i].elastic_pressure(position[i],

@@ -39,7 +39,7 @@ namespace ThermoContact
 
 
 
-    /** What the products need of a basis function at a point. */
+    /** A basis function at a point, for the products. */
     template <int dim>
     struct CellBasis
     {
@@ -50,7 +50,7 @@ namespace ThermoContact
 
 
 
-    /** All basis functions of a cell; those of absent fields do not exist. */
+    /** All basis functions of a cell; absent fields have none. */
     template <int dim>
     void
     evaluate_basis(const Discretization<dim>   &discretization,
@@ -296,8 +296,7 @@ namespace ThermoContact
 
   template <int dim>
   double
-  FieldMatrices<dim>::factor(const Kind         kind,
-                             const unsigned int cell) const
+  FieldMatrices<dim>::factor(const Kind kind, const unsigned int cell) const
   {
     if (!scene.row.is_given())
       return 1.;
@@ -361,11 +360,11 @@ namespace ThermoContact
               if (discretization.has_field(field) &&
                   (field == Field::temperature || scene.material.has_inertia()))
                 {
-                  matrix                                 = 0.;
-                  const std::size_t at                   = place(field, right);
-                  matrix(at, at) = field == Field::temperature ?
-                                     mass.heat_capacity :
-                                     mass.mass / scene.material.inertia;
+                  matrix               = 0.;
+                  const std::size_t at = place(field, right);
+                  matrix(at, at)       = field == Field::temperature ?
+                                           mass.heat_capacity :
+                                           mass.mass / scene.material.inertia;
                   add(field == Field::temperature ? heat_mass : momentum_mass,
                       cell,
                       matrix);

@@ -23,13 +23,13 @@ namespace ThermoContact
   namespace
   {
     /**
-     * What basis functions are at the points of a rule along a cell of unit
-     * length. The rule has points at both ends, so that it takes the boundary
-     * terms of an integration by parts with the integral.
+     * Basis functions at the points of a rule along a cell of unit length. The
+     * rule has points at both ends, so that it takes the boundary terms of an
+     * integration by parts with the integral.
      */
     struct CellLine
     {
-      /** @param varies what is integrated; else one point has all of it */
+      /** @param varies the integrand; else one point has all of it */
       CellLine(const unsigned int degree, const bool varies)
         // The data are no polynomials: more points than the products need.
         : rule(degree + 4)

@@ -272,7 +272,7 @@ namespace ThermoContact
     const auto         plane    = [&](const unsigned int i) {
       return scratch.data() + i * stride + stride - length;
     };
-    // of those of a component, the first and the last ones are not there: zero
+    // the first and the last lines of a component are not there: zero
     const auto first_of = [&](const unsigned int component) {
       return dim + 1 + max_lines + component * (n_planes + 2 * degree);
     };

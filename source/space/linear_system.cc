@@ -69,8 +69,8 @@ namespace ThermoContact
       const BlockTerms terms = block_terms(coefficients, material, field);
       return RodFactors<1>::Block(terms.begin(), terms.end());
     };
-    double     growth  = 0.;
-    const auto held = [&](const Field::Block field, const unsigned int end) {
+    double     growth = 0.;
+    const auto held   = [&](const Field::Block field, const unsigned int end) {
       return equations.space().are_ends_held(field)[end];
     };
     if (is_whole())
@@ -287,7 +287,7 @@ namespace ThermoContact
                                          const Vector      &rhs,
                                          const double       tolerance) const
   {
-    // what relaxed springs leave: forces of stiff ones are no measure
+    // the rest beside relaxed springs: forces of stiff ones are no measure
     Vector rest(rhs), at_rest(rhs);
     at_rest = 0.;
     if (!springs.empty())
@@ -437,7 +437,7 @@ namespace ThermoContact
         r.local_element(entry) = 0.;
       else if (springs[node] != 0.)
         {
-          // what the spring does beside the body
+          // the force of the spring beside the body
           r.local_element(entry) -= spring_force(node, v.local_element(entry));
           const double size =
             std::max(std::abs(relaxed[node]), std::abs(v.local_element(entry)));
@@ -583,8 +583,8 @@ namespace ThermoContact
     // velocities that a short stage prescribes have larger terms than all else
     krylov->largest_residual =
       std::max(krylov->largest_residual, result.residual);
-    // GMRES estimates its residual, and takes its rounding for progress: what
-    // is left is computed, and once more is tried
+    // GMRES estimates its residual, and takes its rounding for progress: the
+    // residual is computed, and once more is tried
     for (unsigned int attempt = 0; attempt < 2; ++attempt)
       {
         const FlexibleGmres::Result found =

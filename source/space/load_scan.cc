@@ -126,7 +126,7 @@ namespace ThermoContact
 
 
 
-    /** Refuses what nothing can follow. */
+    /** Refuses a load that no scheme can follow. */
     void
     check_continuity(const Load         &load,
                      const EnclosedLoad &enclosed,
@@ -153,7 +153,7 @@ namespace ThermoContact
 
 
 
-    /** Adds what a load does in time to the history. */
+    /** Adds a load in time to the history. */
     void
     scan(const Load               &load,
          const Scene              &scene,
@@ -199,7 +199,7 @@ namespace ThermoContact
       if (!time.has_error_control())
         {
           if (load.is_dirichlet || scene.scheme.has_no_dispersion)
-            return; // no other step than that of a wave through a cell
+            return; // no other step than a wave through a cell takes
           // a rigid obstacle whose slope jumps within a step would throw its
           // nodes
           together.stretches.clear();
@@ -210,9 +210,9 @@ namespace ThermoContact
 
 
     /**
-     * True if a load jumps: if what it changes from one side of a break to the
-     * other is no part of what it changes around; not beyond the end time,
-     * where the jumps of another run may be.
+     * True if a load jumps: if its change from one side of a break to the other
+     * is no part of its change around; not beyond the end time, where the jumps
+     * of another run may be.
      */
     bool
     jumps_at(const LoadBreak &at, const Load &load, const double end_time)
@@ -258,7 +258,7 @@ namespace ThermoContact
                  const double            from,
                  const double            to)
   {
-    // what jumps at an end of the step does so within some rounding
+    // a load that jumps at an end of the step does so within some rounding
     const double end_time = scene.parameters.time.end_time;
     const double slack    = Tolerances::same_time * end_time;
     std::string  paths;

@@ -21,7 +21,7 @@ namespace ThermoContact
       while (coarse->level() > 0)
         coarse = coarse->parent();
       std::uint64_t number = coarse->index();
-      const CellId  id     = cell->id(); // has what the view is of
+      const CellId  id     = cell->id(); // has the cell of the view
       for (const std::uint8_t child : id.get_child_indices())
         number = (number << dim) + child;
       return number;

@@ -13,7 +13,7 @@ namespace ThermoContact
     const auto &nodal_values = discretization.nodal_values(Field::temperature);
     if (discretization.row().is_given())
       {
-        // what it leaves does work; the last body has a given temperature
+        // the rest does work; the last body has a given temperature
         profile = heat.fixed_end_temperature;
         if (heat.right_temperature)
           {

@@ -78,10 +78,10 @@ namespace ThermoContact
             if (!side.is_mass())
               admittance += 1. / side.impedance;
           }
-        contact.impedance =
-          sides.size() == 1 && !sides[0].is_mass() ? sides[0].impedance :
-          admittance > 0.                          ? 1. / admittance :
-                                                     infinity;
+        contact.impedance = sides.size() == 1 && !sides[0].is_mass() ?
+                              sides[0].impedance :
+                            admittance > 0. ? 1. / admittance :
+                                              infinity;
         contacts.push_back(contact);
       }
   }
@@ -187,7 +187,7 @@ namespace ThermoContact
     const RodMatrices &products = *body.equations.rod();
     const double       tau      = 0.5 * size;
 
-    // what the fixed end does is known
+    // the motion of the fixed end is known
     set_equal(known_velocity, state.velocity);
     set_equal(known_displacement, state.displacement);
     known_velocity.begin()[0] -= end_velocity;
@@ -277,10 +277,9 @@ namespace ThermoContact
   {
     const Contact &contact = contacts[c];
     EndValues      values;
-    values.velocity = contact.sum([&](const ContactSide &side) {
-      return side.value(response.velocity);
-    });
-    values.inner    = contact.sum([&](const ContactSide &side) {
+    values.velocity = contact.sum(
+      [&](const ContactSide &side) { return side.value(response.velocity); });
+    values.inner = contact.sum([&](const ContactSide &side) {
       return side.inner_value(response.velocity);
     });
     for (unsigned int i = 0; i < n_heat_stages; ++i)
@@ -305,12 +304,11 @@ namespace ThermoContact
       return side.sign * side.middle(state.velocity, 0);
     });
     for (unsigned int i = 0; i < n_heat_stages; ++i)
-      values.temperature[i] +=
-        contacts[c].sum([&](const ContactSide &side) {
-          return side.value(state.temperature);
-        }) -
-        body.contact_end().outer_temperature(
-          c, body.scene.heat.obstacle_temperature);
+      values.temperature[i] += contacts[c].sum([&](const ContactSide &side) {
+        return side.value(state.temperature);
+      }) -
+                               body.contact_end().outer_temperature(
+                                 c, body.scene.heat.obstacle_temperature);
     return values;
   }
 
@@ -322,10 +320,9 @@ namespace ThermoContact
                               const double       size) const
   {
     const ContactLaw &law = body.law();
-    const double      u   = contacts[c].sum([&](const ContactSide &side) {
-      return side.value(state.displacement);
-    });
-    const double      p   = state.contact_pressure[c];
+    const double      u   = contacts[c].sum(
+      [&](const ContactSide &side) { return side.value(state.displacement); });
+    const double p = state.contact_pressure[c];
     // the pressure has more digits than the difference of displacement and gap
     const auto start = [&](const double penetration, const double pressure) {
       return law.damping() > 0. ? penetration :
@@ -338,10 +335,10 @@ namespace ThermoContact
     path.front_rate = (obstacle.gap[c] - state.gap[c]) / size;
     path.rear       = start(-u - body.scene.contact.rear_gap, -p);
     // bodies that rest side by side do not meet by the rounding of waves
-    path.negligible_velocity = (body.scene.row.is_given() ?
-                                  Tolerances::rounding_of_fronts :
-                                  Tolerances::rounding_of_solution) *
-                               rates.velocity.linfty_norm();
+    path.negligible_velocity =
+      (body.scene.row.is_given() ? Tolerances::rounding_of_fronts :
+                                   Tolerances::rounding_of_solution) *
+      rates.velocity.linfty_norm();
     return path;
   }
 
@@ -377,7 +374,8 @@ namespace ThermoContact
     const ContactLaw  &law       = body.law();
     const StepContact &contact   = end.contact;
     const double       impedance = contacts[c].impedance;
-    // with what arrives at the end of the step, but for its own pressure
+    // with the waves that arrive at the end of the step, but for its own
+    // pressure
     const double arriving = values.velocity + values.inner - values.old_middle +
                             contact.pressure / impedance;
     const int    side = contact.end_pressure < 0. ? -1 : 1;
@@ -391,7 +389,8 @@ namespace ThermoContact
       }
     if (law.is_rigid() && contact.pressure != 0.)
       {
-        // what stops the end, if it comes; no part of a front yet to come
+        // the pressure that stops the end, if it comes; no part of a front yet
+        // to come
         const auto &next = end.releases.next;
         end.stopping =
           impedance * (next ? side * next->before : arriving - rate);
@@ -616,15 +615,14 @@ namespace ThermoContact
           paths[c] = path_of_node(c, state, size);
         releases[c] = find_releases(c, state, paths[c]);
       }
-    // what a contact has of the loads at another one
-    const auto subtract = [](EndValues       &from,
-                             const double     load,
-                             const EndValues &response) {
-      from.velocity -= load * response.velocity;
-      from.inner -= load * response.inner;
-      for (unsigned int i = 0; i < HeatStages::n; ++i)
-        from.temperature[i] -= load * response.temperature[i];
-    };
+    // the effect of loads at another contact
+    const auto subtract =
+      [](EndValues &from, const double load, const EndValues &response) {
+        from.velocity -= load * response.velocity;
+        from.inner -= load * response.inner;
+        for (unsigned int i = 0; i < HeatStages::n; ++i)
+          from.temperature[i] -= load * response.temperature[i];
+      };
     double largest = 0.;
     for (unsigned int sweep = 0;; ++sweep)
       {
@@ -636,20 +634,18 @@ namespace ThermoContact
               if (d != c)
                 {
                   if (ends[d].contact.pressure != 0.)
-                    subtract(
-                      without,
-                      ends[d].contact.pressure,
-                      end_response(solver.response_to_pressure(size, d),
-                                   size,
-                                   c));
+                    subtract(without,
+                             ends[d].contact.pressure,
+                             end_response(solver.response_to_pressure(size, d),
+                                          size,
+                                          c));
                   for (unsigned int i = 0; i < n_heat_stages; ++i)
                     if (ends[d].flux[i] != 0.)
                       subtract(without,
                                ends[d].flux[i],
-                               end_response(
-                                 solver.response_to_flux(size, d, i),
-                                 size,
-                                 c));
+                               end_response(solver.response_to_flux(size, d, i),
+                                            size,
+                                            c));
                 }
             const EndContact found =
               find_contact(c, state, size, without, paths[c], releases[c]);
@@ -736,11 +732,10 @@ namespace ThermoContact
           return side.value(new_state.displacement);
         });
         const double place =
-          end.masses ? new_state.gap[c] + end.masses->penetration :
-          end.end_pressure != 0. ?
-            displacement_of_law(body, new_state, c) :
-            std::max(std::min(u, new_state.gap[c]),
-                     -body.scene.contact.rear_gap);
+          end.masses             ? new_state.gap[c] + end.masses->penetration :
+          end.end_pressure != 0. ? displacement_of_law(body, new_state, c) :
+                                   std::max(std::min(u, new_state.gap[c]),
+                                            -body.scene.contact.rear_gap);
         if (end.masses) // as impulses move them
           {
             const Vector &response =
@@ -794,13 +789,13 @@ namespace ThermoContact
             contacts[c + 1].sides[0].node_behind(side.n_cells) == side.node;
           if (side.is_mass() || has_other_end)
             continue;
-          const double free =
-            side.value(rates.velocity) + side.inner_value(rates.velocity) -
-            side.sign * side.middle(state.velocity, 0);
+          const double free = side.value(rates.velocity) +
+                              side.inner_value(rates.velocity) -
+                              side.sign * side.middle(state.velocity, 0);
           set_end(side,
-                  side.sign * (free + (ends[c].contact.pressure -
-                                       ends[c].end_pressure) /
-                                        contacts[c].impedances[i]));
+                  side.sign *
+                    (free + (ends[c].contact.pressure - ends[c].end_pressure) /
+                              contacts[c].impedances[i]));
         }
   }
 
@@ -849,12 +844,12 @@ namespace ThermoContact
     const int    side = stopped != 0. ? (stopped > 0. ? 1 : -1) :
                                         (free > path.front_rate ? 1 : -1);
     const double rate = side > 0 ? path.front_rate : 0.;
-    // what loads change on the way from the middle of the last cell
-    const double change = free - sum_of_sides([&](const unsigned int i) {
-                            return contact.arriving(
-                              i, contact.sides[i].values_in(state, 0));
-                          });
-    // waves on their way back tell what came
+    // changes by loads on the way from the middle of the last cell
+    const double change =
+      free - sum_of_sides([&](const unsigned int i) {
+        return contact.arriving(i, contact.sides[i].values_in(state, 0));
+      });
+    // waves on their way back show the waves that came
     const auto came = [&](const unsigned int cell) {
       return side * (sum_of_sides([&](const unsigned int i) {
                        const CellValues values =
@@ -865,13 +860,12 @@ namespace ThermoContact
                      rate + (1. + 2. * cell) * change);
     };
     const auto comes = [&](const unsigned int cell) {
-      return side * (sum_of_sides([&](const unsigned int i) {
-                       return contact.arriving(
-                         i,
-                         later_values_in(
-                           contact.sides[i], state, path.size, cell));
-                     }) -
-                     rate + (1. + 2. * cell) * change);
+      return side *
+             (sum_of_sides([&](const unsigned int i) {
+                return contact.arriving(
+                  i, later_values_in(contact.sides[i], state, path.size, cell));
+              }) -
+              rate + (1. + 2. * cell) * change);
     };
     const double coming[] = {
       came(1), came(0), side * (free - rate), comes(0), comes(1), comes(2)};
@@ -932,7 +926,7 @@ namespace ThermoContact
       double sum = 0.;
       for (unsigned int i = 0; i < contact.sides.size(); ++i)
         {
-          const ContactSide &of  = contact.sides[i];
+          const ContactSide &of   = contact.sides[i];
           CellValues         last = of.values_in(new_state, 0);
           last.strain += of.viscosity * of.difference(rates.velocity, 0);
           sum += contact.arriving(i, last);
@@ -948,9 +942,9 @@ namespace ThermoContact
     // where the mean velocity of the step takes it to the surface; its
     // velocity there, if it changes steadily up to the next step
     const auto at_surface = [&](const double mean) {
-      const double part   = -start / (path.size * side * mean);
-      const double first  = 2. * (mean - velocity +
-                                 (side > 0 ? state.gap_rate[c] : 0.));
+      const double part = -start / (path.size * side * mean);
+      const double first =
+        2. * (mean - velocity + (side > 0 ? state.gap_rate[c] : 0.));
       const double second = leaving - mean;
       const double change = !has_waves || first * second < 0.  ? 0. :
                             std::abs(first) < std::abs(second) ? first :
@@ -964,7 +958,7 @@ namespace ThermoContact
     if (end.releases.now)
       return at(end.releases.now->part, leaving);
 
-    // what the obstacle stops before this step, and would at its end
+    // pressures that stop the end before this step, and at its end
     const double stopped  = state.contact_pressure[c];
     const double stopping = law.is_rigid() && end.contact.pressure != 0. ?
                               end.stopping :
@@ -1016,8 +1010,8 @@ namespace ThermoContact
         if (body.scene.fields.has_temperature &&
             !body.scene.heat.exchange->is_constant())
           stage.exchange_coefficient[c] = ends[c].coefficient;
-        result.contact_dissipation += size * body.contact_end().share(c) *
-                                      ends[c].contact.damping_power;
+        result.contact_dissipation +=
+          size * body.contact_end().share(c) * ends[c].contact.damping_power;
       }
     for (unsigned int i = 0; i < stage.gap_rate.size(); ++i)
       stage.gap_rate[i] = (obstacle.gap[i] - state.gap[i]) / size;
@@ -1035,9 +1029,8 @@ namespace ThermoContact
 
     result.add_impulse(size, stage.contact_pressure, body);
     result.dissipation = result.lateral_dissipation = 0.;
-    result.work =
-      size * body.energy.obstacle_power(stage) + work_of_impacts;
-    const auto add             = [&](const double  weight,
+    result.work    = size * body.energy.obstacle_power(stage) + work_of_impacts;
+    const auto add = [&](const double  weight,
                          const Vector &heat,
                          const Vector &heating) {
       const double part = size * weight;

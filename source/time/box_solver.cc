@@ -60,9 +60,8 @@ namespace ThermoContact
                               RodMatrices::viscous_stiffness}};
     const auto     &matrices = *body.equations.rod();
     Factors         factors{size, nullptr, nullptr, nullptr, {}};
-    double          growth  = 0.;
-    const auto      is_held = [&](const Field::Block field,
-                             const unsigned int end) {
+    double          growth = 0.;
+    const auto is_held = [&](const Field::Block field, const unsigned int end) {
       return body.discretization.are_ends_held(field)[end];
     };
     const RodFactors<1>::Held held{{is_held(Field::displacement, 0)}},
@@ -72,7 +71,7 @@ namespace ThermoContact
         RodFactors<3>::Blocks blocks;
         for (unsigned int i = 0; i < HeatStages::n; ++i)
           {
-            double stress = 0.; // what the mean temperature has of this rate
+            double stress = 0.; // the part of this rate in the mean temperature
             for (unsigned int j = 0; j < HeatStages::n; ++j)
               {
                 blocks[i][j] = {{size * HeatStages::coefficients[i][j],
@@ -85,22 +84,16 @@ namespace ThermoContact
             blocks[2][i] = {{-tau * size * stress * material.thermal_stress,
                              RodMatrices::thermal_stress}};
           }
-        blocks[2][2] = momentum;
-        factors.with_heat =
-          std::make_unique<const RodFactors<3>>(matrices,
-                                                blocks,
-                                                RodFactors<3>::Held{
-                                                  {is_held(Field::temperature,
-                                                           0),
-                                                   is_held(Field::temperature,
-                                                           0),
-                                                   held[0]}},
-                                                RodFactors<3>::Held{
-                                                  {is_held(Field::temperature,
-                                                           1),
-                                                   is_held(Field::temperature,
-                                                           1),
-                                                   held_right[0]}});
+        blocks[2][2]      = momentum;
+        factors.with_heat = std::make_unique<const RodFactors<3>>(
+          matrices,
+          blocks,
+          RodFactors<3>::Held{{is_held(Field::temperature, 0),
+                               is_held(Field::temperature, 0),
+                               held[0]}},
+          RodFactors<3>::Held{{is_held(Field::temperature, 1),
+                               is_held(Field::temperature, 1),
+                               held_right[0]}});
         growth = factors.with_heat->growth();
       }
     else
@@ -206,8 +199,7 @@ namespace ThermoContact
 
 
   const BoxRates &
-  BoxSolver::response_to_pressure(const double       size,
-                                  const unsigned int contact)
+  BoxSolver::response_to_pressure(const double size, const unsigned int contact)
   {
     Factors &factors = provide(size);
     if (factors.responses.empty())

@@ -29,7 +29,7 @@ namespace ThermoContact
 
     /**
      * @param vertex from the left, in linear cells its node
-     * @param sign 1: what is on its left
+     * @param sign 1: the body on its left
      */
     ContactSide
     side_of_row(const Body<1>     &body,

@@ -446,8 +446,8 @@ namespace ThermoContact
     for (const double velocity : end_values)
       fastest = std::max(fastest, std::abs(velocity));
     const double moved = tau * fastest;
-    // velocities of a body at rest need no digits: what moves it by its
-    // displacement in a unit of time is small
+    // velocities of a body at rest need no digits: to move by its displacement
+    // in a unit of time is little
     return free_moved > Tolerances::tolerated_cancellation * moved &&
            free_moved > Tolerances::tolerated_cancellation * tau *
                           known.displacement.linfty_norm();

@@ -54,20 +54,20 @@ namespace ThermoContact
     inline constexpr double stiffest_spring = 1e30;
 
     /**
-     * Energies beyond it, over that scale, are of what is not zero at such
-     * nodes: squares of its values there are larger than 1e-12.
+     * A field whose energy is larger, over that scale, is not zero at a held
+     * node: its value there is above 1e-6.
      */
     inline constexpr double energy_of_held = 1e18;
 
-    /** Of the diagonal, what rounding to 6e-8 leaves of a pivot at least. */
+    /** Smallest pivot over the diagonal that is more than rounding to 6e-8. */
     inline constexpr double smallest_single_pivot = 1e-5;
 
     /** Of squares of residuals in single precision, whose unit is 6e-8. */
     inline constexpr double rounding_of_single_squares = 1e-10;
 
     /**
-     * Of a penetration, in parts of what it is the difference of: a hard
-     * obstacle leaves six of its digits.
+     * Of a penetration, over the displacement and the gap whose difference it
+     * is: a hard obstacle leaves six digits.
      */
     inline constexpr double rounding_of_penetration = 1e-10;
 
@@ -87,8 +87,7 @@ namespace ThermoContact
 
     /**
      * Times this close to a multiple of an interval, in parts of the interval,
-     * are on it: those who choose steps, write output and count beforehand
-     * agree.
+     * are on it: step sizes, output and forecasts agree on this.
      */
     inline constexpr double multiple_slack = 1e-6;
 
@@ -108,7 +107,7 @@ namespace ThermoContact
     /** Of an event, where steps are fixed and no tolerance is given. */
     inline constexpr double fixed_step_event = 1e-13;
 
-    /** Of a zero at the start of a step: the root of a cubic with one there. */
+    /** Of the root of a cubic that has one at the start of the step. */
     inline constexpr double zero_at_start = 1e-9;
 
     /** Parts of the velocity of an obstacle by which it does not jump. */
@@ -143,7 +142,7 @@ namespace ThermoContact
     /** The spectral radius of a fixed point: for a refusal, not a result. */
     inline constexpr double eigenvalue_change = 1e-6;
 
-    /** Refinement ends: velocities have eight more digits then than before. */
+    /** Refinement of a solution ends: velocities have gained eight digits. */
     inline constexpr double refined_change = 1e-8;
 
     /** Parts of the largest displacement that a node need not be moved. */

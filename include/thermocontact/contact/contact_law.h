@@ -14,11 +14,11 @@
 
 namespace ThermoContact
 {
-  /** What a stage supposes of the contact nodes. */
+  /** The state of the contact nodes that a stage supposes. */
   enum class ContactMode
   {
     unilateral, ///< the contact law itself, (C2.4)
-    open,       ///< $p=0$ whatever the gap
+    open,       ///< $p=0$ for any gap
     closed      ///< in contact at all nodes, pressures of either sign
   };
 
@@ -26,7 +26,7 @@ namespace ThermoContact
 
   /**
    * The order in time of the equation of motion, of a body or at its contact
-   * nodes: what an event leaves as it is, and what it changes at once.
+   * nodes: by it an event leaves values as they are, or changes them at once.
    */
   enum class NodeOrder
   {
@@ -145,8 +145,8 @@ namespace ThermoContact
     mean_pressure(const double s_0, const double s_1) const;
 
     /**
-     * What a backward Euler step dissipates at the node, per area, (D4.3): the
-     * work of the pressure at its end less the energy that is stored. Not
+     * The dissipation of a backward Euler step at the node, per area, (D4.3):
+     * the work of the pressure at its end less the energy that is stored. Not
      * negative.
      *
      * @param change of the displacement over the step
@@ -245,13 +245,13 @@ namespace ThermoContact
 
 
 
-  /** A kind of contact law: what it is called and how it is made. */
+  /** A kind of contact law: its name and the way to make it. */
   struct ContactLawKind
   {
     std::string name; ///< value of Contact/Condition
     std::string text; ///< what it is, for the parameter reference
 
-    std::vector<ContactLawEntry> entries; ///< beside those of all laws
+    std::vector<ContactLawEntry> entries; ///< beside the entries of all laws
 
     std::function<std::unique_ptr<const ContactLaw>(
       const ContactLawParameters &)>

@@ -86,12 +86,12 @@ namespace ThermoContact
     Side rear;  ///< behind the nodes, $-u_n-g_2$, $-v_n$
 
     /**
-     * Of either sign in a closed step. With damping that of the penetration at
-     * rest, of its sign, in all steps.
+     * Of either sign in a closed step. With damping the pressure of the
+     * penetration at rest, of its sign, in all steps.
      */
     std::vector<double> pressure;
 
-    /** Those of one node. */
+    /** The values of one node. */
     ContactValues
     of_node(const unsigned int node) const;
 
@@ -173,7 +173,7 @@ namespace ThermoContact
 
 
 
-  /** What a contact event is compared with; per unit cross-section. */
+  /** Values with which a contact event is compared; per unit cross-section. */
   struct BodyScales
   {
     double energy   = 0.; ///< largest elastic or kinetic energy E
@@ -182,7 +182,7 @@ namespace ThermoContact
 
 
 
-  /** What an EventLocator knows of a run so far. */
+  /** The memory of an EventLocator of a run so far. */
   struct ContactProgress
   {
     /** Largest values so far. */
@@ -274,7 +274,7 @@ namespace ThermoContact
       return mode_;
     }
 
-    /** What a step in the present mode shows. */
+    /** The contact changes that a step in the present mode shows. */
     struct Finding
     {
       enum Kind
@@ -292,10 +292,10 @@ namespace ThermoContact
       /** The node that changes first. */
       unsigned int node = 0;
 
-      /** Of nodes with mass: what is to be added to their velocity. */
+      /** Of nodes with mass: to be added to their velocity. */
       double change_of_velocity = 0.;
 
-      int obstacle = 1; ///< 1 or -1, that in front or behind
+      int obstacle = 1; ///< 1 or -1, in front or behind
     };
 
     /**
@@ -346,7 +346,7 @@ namespace ThermoContact
      * The step to @p next is accepted; appends the event that it begins with
      * and the one that it ends with.
      *
-     * @param finding what examine() said; nothing for a unilateral step
+     * @param finding of examine(); nothing for a unilateral step
      * @param known of a unilateral step; else found between its ends
      */
     void
@@ -357,7 +357,7 @@ namespace ThermoContact
 
     /**
      * Nodes with pressure, and those whose gap is as good as zero: not above
-     * what an event may be missed by, (C3.1).
+     * the miss that an event may have, (C3.1).
      */
     std::vector<bool>
     closed_nodes(const ContactValues &values) const;
@@ -369,7 +369,7 @@ namespace ThermoContact
       present = values;
     }
 
-    /** What changes during a run. */
+    /** The part that changes during a run. */
     const ContactProgress &
     progress() const
     {

@@ -74,7 +74,7 @@ namespace ThermoContact
    * alike.
    *
    * @param tolerance of the coefficients, relative
-   * @param coefficient in: nearby; out: those of the last law_at()
+   * @param coefficient in: nearby; out: of the last law_at()
    * @throw ComputationError if no solution is found
    */
   void

@@ -13,10 +13,10 @@
 namespace ThermoContact
 {
   /**
-   * What the contact nodes have at the end of a stage without pressures and
-   * heat fluxes, and what they lose by them, doc/contact-in-time.md (C5.1):
-   * displacements by $Wp+Vq$, temperatures $\theta=\theta^{free}-Up-Hq$ beyond
-   * that of the obstacle. Column j of a matrix is for a unit load at node j.
+   * Values of the contact nodes at the end of a stage without pressures and
+   * heat fluxes, and their losses by these, doc/contact-in-time.md (C5.1):
+   * displacements by $Wp+Vq$, temperatures $\theta=\theta^{free}-Up-Hq$ above
+   * the obstacle. Column j of a matrix is for a unit load at node j.
    */
   struct EndResponse
   {
@@ -45,9 +45,9 @@ namespace ThermoContact
 
 
   /**
-   * The contact nodes at the end of a stage for given coefficients $k_i$: what
-   * is linear or contact in doc/contact-in-time.md (C5.2), and what the law of
-   * the heat exchange would have them.
+   * The contact nodes at the end of a stage for given coefficients $k_i$: the
+   * linear part and the contact of doc/contact-in-time.md (C5.2), and the
+   * coefficients by the law of the heat exchange.
    */
   class ExchangeStage
   {

@@ -17,7 +17,7 @@ namespace ThermoContact
   class HeatExchange
   {
   public:
-    /** That of the paper: the same @p coefficient $k\ge0$ always. */
+    /** As in the paper: the same @p coefficient $k\ge0$ always. */
     explicit HeatExchange(const double coefficient);
 
     /**

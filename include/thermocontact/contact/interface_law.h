@@ -58,11 +58,12 @@ namespace ThermoContact
 
 
   /**
-   * What a contact node meets: a monotone graph $p\in G(x)$ in the plane of one
-   * number x of the node, its penetration or its velocity, and its pressure p.
-   * Known by its resolvent, doc/contact-in-time.md (C2.2): $p=P(z;r)$ is the
-   * pressure of a node alone, $p\in G(z-rp)$, which exists once for all $z$ and
-   * $r>0$ (Minty 1962), however steep the graph is. No mesh, no communication.
+   * The law that a contact node meets: a monotone graph $p\in G(x)$ in the
+   * plane of one number x of the node, its penetration or its velocity, and its
+   * pressure p. Known by its resolvent, doc/contact-in-time.md (C2.2):
+   * $p=P(z;r)$ is the pressure of a node alone, $p\in G(z-rp)$, which exists
+   * once for all $z$ and $r>0$ (Minty 1962), however steep the graph is. No
+   * mesh, no communication.
    */
   class InterfaceLaw
   {
@@ -249,8 +250,8 @@ namespace ThermoContact
     NodalPressure
     resolve(const double z, const double r) const override;
 
-    /** Of what the obstacle in front does, and the one behind, which rests,
-     * does not: the part of the local one. */
+    /** The part of the local obstacle in a motion of the obstacle in front,
+     * since the one behind rests. */
     double
     of_local(const double of_front) const
     {
@@ -325,7 +326,8 @@ namespace ThermoContact
     double
     pressure_at(const double position, const double velocity) const;
 
-    /** What pushes the node back, without a pull of what holds it. */
+    /** The pressure that pushes the node back, without the pull of a held node.
+     */
     double
     push(const double pressure) const
     {
@@ -361,11 +363,11 @@ namespace ThermoContact
 
     /**
      * $\varphi(s)$ of a node with this pressure, of either sign,
-     * $p=\varphi(s)\,[1+c\,v]_+$, (M4.2): that of which the obstacle stores the
-     * energy. At a hard obstacle s has few digits, and $p-\varphi(s)$ would
-     * have none: then it is $p/(1+c\,v)$. A node that goes in without a
-     * pressure does not know of the obstacle yet, in a step that is held open
-     * and misses the begin of contact by s: zero.
+     * $p=\varphi(s)\,[1+c\,v]_+$, (M4.2): the obstacle stores its energy. At a
+     * hard obstacle s has few digits, and $p-\varphi(s)$ would have none: then
+     * it is $p/(1+c\,v)$. A node that goes in without a pressure does not know
+     * of the obstacle yet, in a step that is held open and misses the begin of
+     * contact by s: zero.
      *
      * @param velocity of the node, not relative
      * @param rounding of the position

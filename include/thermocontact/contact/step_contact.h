@@ -20,7 +20,7 @@ namespace ThermoContact
     double rear;       ///< $s^0$ at the one behind; $-\infty$: there is none
 
     double free_velocity; ///< w without pressure
-    double response;      ///< $\chi$, what a unit pressure takes of it
+    double response;      ///< $\chi$, its loss by a unit pressure
 
     /** Velocity that is rounding: no obstacle is met with less. */
     double negligible_velocity;
@@ -43,7 +43,7 @@ namespace ThermoContact
     /** $\vartheta$: 0 where the step follows the law, 1 on a rigid one. */
     double weight = 0.;
 
-    /** What the damping of the obstacle takes per time, not negative. */
+    /** Dissipation by the damping of the obstacle per time, not negative. */
     double damping_power = 0.;
   };
 

@@ -52,8 +52,8 @@ namespace ThermoContact
   {
     std::string           name; ///< "LEFT RIGHT"
     std::string           condition = "contact";
-    std::optional<double> gap;           ///< none: that of section Contact
-    std::optional<double> heat_exchange; ///< none: that of Boundary/right
+    std::optional<double> gap;           ///< none: Contact/Gap
+    std::optional<double> heat_exchange; ///< none: Boundary/right
 
     bool
     is_bonded() const

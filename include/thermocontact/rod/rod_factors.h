@@ -13,8 +13,8 @@ namespace ThermoContact
   /**
    * The factors of a linear system, doc/discretisation.md (D2.2), of a rod for
    * @p n_fields unknowns at a node; those that are held vanish at an end. Inner
-   * nodes are eliminated cell by cell, once for all cells of a run; what
-   * remains is a block-tridiagonal system of the vertices, which is eliminated
+   * nodes are eliminated cell by cell, once for all cells of a run; there
+   * remains a block-tridiagonal system of the vertices, which is eliminated
    * from both ends at once: two chains of operations that do not wait for each
    * other.
    *
@@ -66,7 +66,7 @@ namespace ThermoContact
     /** By rows. */
     using NodeBlock = std::array<double, n_entries>;
 
-    /** What a vertex needs in both sweeps. */
+    /** The blocks of a vertex in both sweeps. */
     struct Vertex
     {
       NodeBlock elimination;  ///< times the neighbour that is eliminated before
@@ -92,7 +92,7 @@ namespace ThermoContact
     const Held                           held;
     const bool                           has_left; ///< not all are held
     const Held                           held_right;
-    std::vector<Cell>                    cells;    ///< one for each run
+    std::vector<Cell>                    cells; ///< one for each run
     std::vector<Vertex>                  vertices;
     NodeBlock                            from_left, from_right;
     Vertex                               left; ///< node 0, if it has unknowns

@@ -101,10 +101,10 @@ namespace ThermoContact
      * @param carries of each cell whether something is attached to one of its
      *   vertices, of which its entries have a part; empty: of none
      */
-    RodMatrices(const RodLayout           &layout,
-                const double               tolerance,
-                const Entry               &entry,
-                const std::vector<bool>   &carries = {});
+    RodMatrices(const RodLayout         &layout,
+                const double             tolerance,
+                const Entry             &entry,
+                const std::vector<bool> &carries = {});
 
     const RodLayout &
     layout() const
@@ -112,7 +112,7 @@ namespace ThermoContact
       return layout_;
     }
 
-    /** What is added to a sum of products. */
+    /** A term of a sum of products. */
     struct Term
     {
       double        factor;
@@ -192,7 +192,7 @@ namespace ThermoContact
     }
 
   private:
-    /** What the run of the last entries loses. */
+    /** Sets the heat losses of the run of the last entries. */
     void
     set_losses(Run &run);
 

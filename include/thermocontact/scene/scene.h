@@ -156,7 +156,7 @@ namespace ThermoContact
       return lateral_exchange > 0.;
     }
 
-    /** What the temperature of a rod at rest depends on. */
+    /** The data of the temperature of a rod at rest. */
     RodSurroundings
     surroundings() const
     {
@@ -218,8 +218,8 @@ namespace ThermoContact
         {
           // from the left end or its surroundings, with their resistance
           const double resistance = has_given_temperature ? 0. :
-                                    left_exchange > 0. ? 1. / left_exchange :
-                                                         infinity;
+                                    left_exchange > 0.    ? 1. / left_exchange :
+                                                            infinity;
           return *right_temperature +
                  (fixed_end_temperature - *right_temperature) * (1. - x) /
                    (1. + resistance);
@@ -329,7 +329,7 @@ namespace ThermoContact
 
     std::string reason; ///< of the choice
 
-    /** What of the scene needs sparse factors; empty: nothing does. */
+    /** The part of the scene that needs sparse factors; empty: none does. */
     std::string needs_factors;
 
     std::string
@@ -381,9 +381,9 @@ namespace ThermoContact
 
 
   /**
-   * What a run has, resolved once from what the user wrote: every question such
-   * as whether the obstacle is rigid or the body static is answered here, and
-   * what is absent is not asked for again.
+   * All parts of a run, resolved once from the entries: every question such as
+   * whether the obstacle is rigid or the body static is answered here, and
+   * absent parts are not asked for again.
    */
   struct Scene
   {
@@ -402,7 +402,7 @@ namespace ThermoContact
     const Parameters &parameters = scheme_choice.parameters;
 
     const SceneFields                         fields;
-    const BodyRow                                 row; ///< of bodies, or empty
+    const BodyRow                             row; ///< of bodies, or empty
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
 
@@ -436,7 +436,7 @@ namespace ThermoContact
 
     const bool has_lumped_mass;
 
-    /** That of Scheme::has_no_dispersion. */
+    /** The mass matrix of Scheme::has_no_dispersion. */
     const bool has_midpoint_mass;
 
     /** Stages are solved by the iteration of the paper. */

@@ -25,7 +25,7 @@ namespace ThermoContact
   std::vector<UnusedEntry>
   unused_entries(const Scene &scene);
 
-  /** Their paths: what used.prm leaves out. */
+  /** Their paths, which used.prm leaves out. */
   std::set<std::string>
   unused_paths(const Scene &scene);
 
@@ -42,8 +42,8 @@ namespace ThermoContact
                        const ParameterHandler        &prm);
 
   /**
-   * Checks what a pattern for one entry cannot: limits that exclude their
-   * bound, combinations, the number of steps and of unknowns.
+   * Checks rules that a pattern for one entry cannot have: limits that exclude
+   * their bound, combinations, the number of steps and of unknowns.
    *
    * @throw InputError naming section path, value, what is allowed, remedy
    */

@@ -19,11 +19,11 @@ namespace ThermoContact
 
 
 
-  /** What becomes of Time/Scheme, Mesh/Cells and Mesh/Degree = automatic. */
+  /** The choice of Time/Scheme, Mesh/Cells and Mesh/Degree = automatic. */
   struct SchemeChoice
   {
     Parameters               parameters; ///< none of them is automatic any more
-    std::vector<ChosenEntry> entries;    ///< those that were
+    std::vector<ChosenEntry> entries;    ///< the entries that were
     std::string              reason;     ///< of the scheme; empty: it was given
 
     /**
@@ -40,9 +40,9 @@ namespace ThermoContact
 
 
   /**
-   * Decides them, doc/numerics.md section "Which scheme". Fronts are what an
-   * obstacle, a traction that jumps, the jump of the velocity of the fixed end,
-   * or initial values that jump send through a body with inertia. Viscosity
+   * Decides them, doc/numerics.md section "Which scheme". Fronts are sent
+   * through a body with inertia by an obstacle, a traction that jumps, the jump
+   * of the velocity of the fixed end, or initial values that jump. Viscosity
    * spreads them over $\sqrt{\zeta/\sqrt b}$ while they pass the body, and a
    * linear obstacle makes none shorter than its compliance, or than the wave of
    * a mass that swings on it; sharp ones have less than

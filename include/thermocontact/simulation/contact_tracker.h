@@ -55,7 +55,7 @@ namespace ThermoContact
     }
 
     /**
-     * What a step that is accurate shows of contact: it is right if that
+     * The contact in a step that is accurate: the step is right if contact
      * changes neither at its start nor within.
      *
      * @param mechanical_energy largest elastic or kinetic energy so far
@@ -130,7 +130,7 @@ namespace ThermoContact
                              StepResult                &result,
                              std::vector<ContactEvent> &events);
 
-    /** What changes during a run, for checkpoints; after accept(). */
+    /** The part that changes during a run, for checkpoints; after accept(). */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -149,10 +149,10 @@ namespace ThermoContact
      */
     std::vector<EventLocator>    locators;
     std::vector<ContactProgress> old_progress; ///< before accept()
-    std::size_t               n_old_events;
-    std::optional<StepResult> impacted;  ///< by an impact at its start
-    unsigned int              n_retakes; ///< to the next event
-    mutable ContactValues     next;      ///< scratch
+    std::size_t                  n_old_events;
+    std::optional<StepResult>    impacted;  ///< by an impact at its start
+    unsigned int                 n_retakes; ///< to the next event
+    mutable ContactValues        next;      ///< scratch
 
     bool
     is_of_several() const
@@ -162,8 +162,7 @@ namespace ThermoContact
 
     /** The contacts of a row have events of their own. */
     void
-    accept_several(const StepResult          &result,
-                   std::vector<ContactEvent> &events);
+    accept_several(const StepResult &result, std::vector<ContactEvent> &events);
 
     /** Contact changes at the start of the step. */
     void

@@ -40,7 +40,7 @@ namespace ThermoContact
     std::string
     add(const unsigned int step, const double time, const EnergyTerms &terms);
 
-    /** What changes during a run, for checkpoints. */
+    /** The part that changes during a run, for checkpoints. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -72,7 +72,7 @@ namespace ThermoContact
     double
     mechanical_energy(const EnergyTerms &energy) const;
 
-    /** What changes during a run, for checkpoints. */
+    /** The part that changes during a run, for checkpoints. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

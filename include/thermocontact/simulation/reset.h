@@ -19,11 +19,11 @@
 namespace ThermoContact
 {
   /**
-   * The reset map $x^+=R(x^-)$ of the hybrid system: what a state becomes where
-   * contact begins or ends, where inputs have a discontinuity, and at the
+   * The reset map $x^+=R(x^-)$ of the hybrid system: the change of a state
+   * where contact begins or ends, where inputs have a discontinuity, and at the
    * start, doc/contact-in-time.md section 4. Everywhere forces are in
-   * equilibrium, $Ky+Np=r$, with the laws of the contact nodes; what y is
-   * follows from the order of the equation at the nodes: an impulse changes the
+   * equilibrium, $Ky+Np=r$, with the laws of the contact nodes; the order of
+   * the equation at the nodes decides on the unknown y: an impulse changes the
    * velocity of inertial ones, viscous ones get a velocity, static ones a
    * place.
    */
@@ -36,11 +36,11 @@ namespace ThermoContact
 
     /**
      * Completes an initial state, doc/discretisation.md section 5 and
-     * doc/contact-in-time.md section 6: what is not inertial follows from what
-     * is given. A body without inertia gets with viscosity its velocity,
-     * (D5.2), and without its displacement, (D5.3), and no velocity; contact
-     * nodes without mass and viscosity go to their equilibrium, (C6.2), with
-     * velocities that keep them there, (C4.3).
+     * doc/contact-in-time.md section 6: unknowns without inertia follow from
+     * the given values. A body without inertia gets with viscosity its
+     * velocity, (D5.2), and without its displacement, (D5.3), and no velocity;
+     * contact nodes without mass and viscosity go to their equilibrium, (C6.2),
+     * with velocities that keep them there, (C4.3).
      *
      * @param state in: temperature and, with inertia or viscosity, displacement
      *   and pressure of the compliance law
@@ -52,12 +52,12 @@ namespace ThermoContact
 
     /**
      * The state behind a discontinuity of the loads at the end of a step,
-     * doc/contact-in-time.md section 4: what is static goes to its equilibrium
-     * with the new loads, with the contact law, and takes heat for it, (C4.4);
-     * a body with viscosity and without inertia stays and gets the velocity,
-     * and at a rigid obstacle the pressures, of (D5.2); all else stays. The
-     * loads do the work of the displacement that they cause, and what is too
-     * much for the new energy is numerical dissipation. Collective.
+     * doc/contact-in-time.md section 4: a static body, or static nodes, go to
+     * equilibrium with the new loads, with the contact law, and takes heat for
+     * it, (C4.4); a body with viscosity and without inertia stays and gets the
+     * velocity, and at a rigid obstacle the pressures, of (D5.2); all else
+     * stays. The loads do the work of the displacement that they cause, and
+     * what is too much for the new energy is numerical dissipation. Collective.
      *
      * @param is_closed nodes that are in contact before it: only they may have
      *   a pressure in (D5.2), where all nodes stay where they are; not used for
@@ -204,8 +204,7 @@ namespace ThermoContact
     momentum_load(const double time) const;
 
     /**
-     * Energy::work_of_motion() of what @p move, without arguments, does to the
-     * displacement of @p state.
+     * Energy::work_of_motion() of the change that @p move, without arguments, makes in the displacement of @p state.
      */
     template <class Motion>
     double
@@ -229,8 +228,7 @@ namespace ThermoContact
     /**
      * (D5.2).
      *
-     * @param is_closed at a rigid obstacle: nodes in contact; empty: those that
-     *   do not lie before it
+     * @param is_closed at a rigid obstacle: nodes in contact; empty: all nodes that do not lie before it
      */
     void
     set_velocity_of_viscous_body(const std::vector<bool> &is_closed,
@@ -238,8 +236,8 @@ namespace ThermoContact
 
     /**
      * The pressures become those with which nodes with mass that a rigid
-     * obstacle holds have its acceleration, (C8.3): those of the last stage
-     * are of first order only. The heat exchange becomes that of them.
+     * obstacle holds have its acceleration, (C8.3): pressures of the last stage
+     * are of first order only. The heat exchange follows them.
      *
      * @throw ComputationError if the mass matrix cannot be factorised
      */
@@ -286,8 +284,8 @@ namespace ThermoContact
     set_temperature_of_fixed_end(const double temperature, State &state);
 
     /**
-     * What is static moves at once, what has no inertia gets another velocity;
-     * the energy of that is booked.
+     * Static bodies and nodes move at once, bodies without inertia get another
+     * velocity; the energy of the change is booked.
      *
      * @param work done so far
      */

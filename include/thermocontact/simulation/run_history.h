@@ -15,7 +15,7 @@
 
 namespace ThermoContact
 {
-  /** What a run has shown up to the state that was accepted last. */
+  /** The history of a run up to the state that was accepted last. */
   struct RunHistory
   {
     /** The quantities of that state and the balances up to it. */
@@ -48,7 +48,7 @@ namespace ThermoContact
     SampledPeak penetration_peak;
     SampledPeak force_peak;
 
-    /** What the user should know although the run goes on. */
+    /** Warnings for the user although the run goes on. */
     std::vector<std::string> warnings;
 
     /** Adds a warning that is not empty and not there yet. */
@@ -64,11 +64,11 @@ namespace ThermoContact
     void
     add_maxima(const Scene &scene, const double gap_rate);
 
-    /** Books a step that is accepted, with its cost; not what it measures. */
+    /** Books a step that is accepted, with its cost, not its measurements. */
     void
     add_step(const TimeStep &time_step, const StepResult &result);
 
-    /** Books what a jump of the loads has changed in the present state. */
+    /** Books the changes by a jump of the loads in the present state. */
     void
     add_jump(const StepResult &result);
 

@@ -23,9 +23,7 @@ namespace ThermoContact
     /**
      * Takes the next value; of one time the last one counts.
      *
-     * @param rate of the quantity there, per unit of time; NaN: not known. The
-     *   cubic of a step is that of its ends with positive values: what is zero
-     *   without contact has no rate there
+     * @param rate of the quantity there, per unit of time; NaN: not known. The cubic of a step needs positive values at its ends: a force that is zero without contact has no rate there
      */
     void
     add(const double time, const double value, const double rate = nan);

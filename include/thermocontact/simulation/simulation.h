@@ -20,11 +20,11 @@
 
 namespace ThermoContact
 {
-  /** What a run that goes on needs, as bytes. */
+  /** The bytes from which a run goes on. */
   struct SavedRun
   {
     std::string progress; ///< the same on all ranks
-    std::string nodes;    ///< values of those of this rank, StateSerialiser
+    std::string nodes;    ///< values at nodes of this rank, StateSerialiser
   };
 
 
@@ -122,8 +122,8 @@ namespace ThermoContact
      * @param progress of rank 0
      * @param n_ranks that saved the run
      * @param next_nodes fetches the nodes of one rank after the other, and
-     *   returns false if there are no more; those of this rank alone if the
-     *   ranks are as many
+     *   returns false if there are no more; the nodes of this rank alone if the
+     * ranks are as many
      * @throw InputError if that is not of such a run
      */
     void
@@ -138,7 +138,7 @@ namespace ThermoContact
       return state_;
     }
 
-    /** What led there. */
+    /** The history that led there. */
     const RunHistory &
     history() const
     {
@@ -158,7 +158,7 @@ namespace ThermoContact
       return history_.events;
     }
 
-    /** What the steps follow of the loads. */
+    /** The history of the loads that steps follow. */
     const LoadHistory &
     loads() const
     {
@@ -200,7 +200,7 @@ namespace ThermoContact
       return body_.discretization;
     }
 
-    /** What the user wrote. */
+    /** The entries of the user. */
     const Parameters &
     parameters() const
     {
@@ -272,7 +272,7 @@ namespace ThermoContact
     double
     relative_error() const;
 
-    /** What a step that was computed is worth; the first that applies. */
+    /** The verdict on a step that was computed; the first that applies. */
     struct Verdict
     {
       enum Kind
@@ -292,9 +292,10 @@ namespace ThermoContact
     judge(const TimeStep &time_step) const;
 
     /**
-     * A step that is to be accepted is finished: with what events and
-     * discontinuities of inputs at its end make of its state. If that cannot be
-     * found it stands in the result, and nothing has changed.
+     * A step that is to be accepted is finished: its state becomes the state
+     * behind the events and discontinuities of inputs at its end. If this
+     * cannot be found the failure stands in the result, and nothing has
+     * changed.
      *
      * @return the discontinuity that was passed, or nullptr
      */
@@ -355,7 +356,7 @@ namespace ThermoContact
     void
     compensate_break();
 
-    /** What the solver of stages has to say. */
+    /** Takes over the warnings of the solver of stages. */
     void
     take_warnings();
 

@@ -14,10 +14,10 @@
 namespace ThermoContact
 {
   /**
-   * What the mesh of a rod leaves out of a field, over the run, (D9.1): the
-   * coefficients of its Legendre expansion in each cell that are the last two,
-   * or, for degrees 1 and 2, what neighbours let expect of those that come
-   * next. Squares of norms, integrated over time.
+   * The part of a field that the mesh of a rod leaves out, over the run,
+   * (D9.1): estimated by the last two coefficients of the Legendre expansion in
+   * each cell, or, for degrees 1 and 2, by the next ones that neighbours let
+   * expect. Squares of norms, integrated over time.
    */
   struct MeshTail
   {
@@ -32,7 +32,7 @@ namespace ThermoContact
     double
     error(const double scale, const double duration) const;
 
-    /** By what coefficients decay from one to the next; at most 1. */
+    /** Ratio by which coefficients decay to the next one; at most 1. */
     double
     rate() const;
 
@@ -56,7 +56,7 @@ namespace ThermoContact
    * eight from then on, each for the time since the last. Of bodies in two and
    * three dimensions it knows nothing.
    *
-   * What counts is the mean over the run. At single instants, after a start or
+   * The mean over the run counts. At single instants, after a start or
    * an impact, layers are thinner than any cell, and do no harm.
    */
   class SpatialErrorMonitor
@@ -80,13 +80,13 @@ namespace ThermoContact
     error(const Field::Block field) const;
 
     /**
-     * At the end of a run: what is wrong with the mesh, and the degree or the
-     * number of cells to take; nothing if nothing is. Once.
+     * At the end of a run: the fault of the mesh, and the degree or the number
+     * of cells to take; nothing if there is none. Once.
      */
     std::string
     take_warning();
 
-    /** What changes during a run, for checkpoints. */
+    /** The part that changes during a run, for checkpoints. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -100,7 +100,7 @@ namespace ThermoContact
     const unsigned int  n_cell_nodes;
     std::vector<double> cell_sizes;
 
-    /** What differences of neighbours take of a cell; of low degrees. */
+    /** The parts of a cell in differences of neighbours; of low degrees. */
     struct CellFactors
     {
       double coefficient = 0.; ///< of the product with the nodal values
@@ -129,7 +129,7 @@ namespace ThermoContact
     void
     add_cells(const Discretization<dim> &discretization);
 
-    /** Those of a field. @param n_derivatives 1 for the strain, else 0 */
+    /** Makes the factors of a field. @param n_derivatives 1 for the strain, else 0 */
     void
     make_factors(const Field::Block field, const unsigned int n_derivatives);
 

@@ -20,7 +20,7 @@ namespace ThermoContact
   /**
    * The body of a scene, discretised in space: spaces, matrices, loads and
    * energy of the semidiscrete equations, doc/discretisation.md (D1.1), (D1.2),
-   * with what the scene says of them. What happens in time needs no more.
+   * with the data of the scene. Integrators need no more.
    *
    * Constant but for the time at which the loads were evaluated last.
    */

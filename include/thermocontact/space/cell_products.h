@@ -119,14 +119,14 @@ namespace ThermoContact
       LevelVector<Number> lumped_mass; ///< or empty
     };
 
-    /** What a sum over the points of cells has. */
+    /** The terms of a sum over the points of cells. */
     struct Factors
     {
       double mass;
       double stiffness;
       bool   is_at_end = false; ///< of the cells at the contact end alone
 
-      /** What heat and Laplacian act on. */
+      /** On which heat and Laplacian act. */
       Field::Block field     = Field::temperature;
       unsigned int component = 0;
     };
@@ -200,7 +200,7 @@ namespace ThermoContact
     local_positions(const Field::Block field, const Cell &cell) const;
 
     /**
-     * What differs in the cells at the contact end and at lateral faces: the
+     * The differences of cells at the contact end and at lateral faces: the
      * heat exchange through these faces, and contact nodes without mass (C1.1).
      * Their rows are zero, not a difference that is: in short stages they have
      * nothing but stiffness, which is smaller than the rounding of a mass.
@@ -256,7 +256,7 @@ namespace ThermoContact
       return op != OnGrid::laplacian && !radial.empty();
     }
 
-    /** What a product needs of components or of their test functions. */
+    /** Derivatives of components, or of their test functions, in a product. */
     enum class Derivatives
     {
       none,

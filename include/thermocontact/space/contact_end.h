@@ -42,7 +42,8 @@ namespace ThermoContact
     /** $g$ of the undeformed body there, at $t=0$. */
     double gap;
 
-    /** $k$ of a contact of a row if that is a number, which matrices contain. */
+    /** $k$ of a contact of a row if that is a number, which matrices contain.
+     */
     double own_exchange = 0.;
 
     /**
@@ -82,7 +83,7 @@ namespace ThermoContact
                const Function<dim>       &gap);
 
     /**
-     * Those that can meet the obstacle, in order of their position; on all
+     * The nodes that can meet the obstacle, in order of their position; on all
      * ranks.
      */
     const std::vector<ContactNode<dim>> &
@@ -98,7 +99,7 @@ namespace ThermoContact
     }
 
     /**
-     * All nodes of the end. Behind those of nodes() come those whose weight
+     * All nodes of the end. Behind the list of nodes() come nodes whose weight
      * vanishes, as on an axis of symmetry: a pressure on them does nothing, so
      * that they have none.
      */
@@ -192,7 +193,8 @@ namespace ThermoContact
     double
     mean(const std::vector<double> &values) const;
 
-    /** Temperature outside of a node: of the obstacle, or relative to a body. */
+    /** Temperature outside of a node: of the obstacle, or relative to a body.
+     */
     double
     outer_temperature(const unsigned int node, const double of_obstacle) const
     {
@@ -209,8 +211,7 @@ namespace ThermoContact
          const double       temperature,
          const double       of_obstacle) const
     {
-      return coefficient *
-             (temperature - outer_temperature(node, of_obstacle));
+      return coefficient * (temperature - outer_temperature(node, of_obstacle));
     }
 
     /** Part of the contact end that a node stands for, $w_i$ over its area. */

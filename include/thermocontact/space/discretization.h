@@ -193,7 +193,7 @@ namespace ThermoContact
       return triangulation->n_global_active_cells();
     }
 
-    /** What the cells are of a row of bodies; empty: it is one body. */
+    /** The cells of a row of bodies; empty: the mesh is of one body. */
     const BodyRow &
     row() const
     {
@@ -275,7 +275,7 @@ namespace ThermoContact
                         const double       value,
                         const double       at_right = 0.) const;
 
-    /** What the entries of the local part of a vector of a field are. */
+    /** Component and position of the entries of a local vector of a field. */
     const std::vector<NodalValue<dim>> &
     nodal_values(const Field::Block field) const
     {
@@ -283,7 +283,7 @@ namespace ThermoContact
     }
 
     /**
-     * A vector of zeros for one field or for the whole system. Those of a
+     * A vector of zeros for one field or for the whole system. Vectors of a
      * field share one partitioner: their assignment is a copy. In scenes
      * without matrices they have the ghosts that products by cells need.
      */
@@ -356,8 +356,8 @@ namespace ThermoContact
 
     const std::array<bool, 2> is_held_left_, is_held_right_; ///< of a rod
 
-    const BodyRow    row_;
-    const double exchange_coefficient_;
+    const BodyRow row_;
+    const double  exchange_coefficient_;
 
     /**
      * @param n_halvings how many of the refinements make the cells of the scene

@@ -24,7 +24,7 @@ namespace ThermoContact
 
   /**
    * The fixed end of a scene in which its temperature or its displacement is a
-   * function of time. What is constrained has values then and rates that are
+   * function of time. Constrained unknowns then have values and rates that are
    * not zero, and both act on the rest of the body through the columns of the
    * matrices that solvers leave out.
    */
@@ -47,7 +47,7 @@ namespace ThermoContact
     }
 
     /**
-     * Positions of what is driven within the locally owned part of a block:
+     * Positions of driven unknowns within the locally owned part of a block:
      * temperatures, or displacements along the axis, of the fixed end.
      */
     const std::vector<unsigned int> &
@@ -75,9 +75,9 @@ namespace ThermoContact
         Vector                    &vector) const;
 
     /**
-     * Power of what drives the end, per unit cross-section: the heat that flows
-     * in there beyond that of rest times $\hat\theta_D$, and the force on the
-     * end times its velocity; (D6.3). Collective.
+     * Power of the drive of the end, per unit cross-section: the heat that
+     * flows in there beyond the heat flow at rest times $\hat\theta_D$, and the
+     * force on the end times its velocity; (D6.3). Collective.
      *
      * @param state at the end of a stage, with the motion
      * @param temperature_rate,acceleration $\theta'$ and $v'$, with the motion
@@ -92,8 +92,8 @@ namespace ThermoContact
 
     /**
      * Velocity of the end at a time from the right-hand side and into the
-     * solution of a body without inertia, $\zeta Sv=\dots$: subtracts what it
-     * does to the rest of the body.
+     * solution of a body without inertia, $\zeta Sv=\dots$: subtracts its
+     * effect on the rest of the body.
      */
     void
     subtract_viscous_stress(const double time, Vector &momentum_load) const;

@@ -24,7 +24,7 @@ namespace ThermoContact
       return thermal + kinetic + elastic + obstacle + coupling;
     }
 
-    /** Sum of absolute values: what rounding of the sum is relative to. */
+    /** Sum of absolute values: rounding of the sum is relative to it. */
     double
     magnitude() const;
 
@@ -85,7 +85,7 @@ namespace ThermoContact
     lateral_dissipation_rate(const State &state) const;
 
     /**
-     * What the damping of the obstacle takes per time, (D4.7): work of the
+     * Dissipation by the damping of the obstacle per time, (D4.7): work of the
      * pressures that the obstacle does not store. 0 without damping.
      * Collective.
      */
@@ -168,21 +168,21 @@ namespace ThermoContact
     Vector                                 steady_stress; ///< $D^T\theta_s$
     double reference_coefficient; ///< $k_s$ that the profile balances
 
-    /** What the profile of a row leaves of the heat of its surroundings. */
+    /** The heat of the surroundings of a row that its profile does not balance. */
     Vector unbalanced_heat;
 
-    mutable Vector                         heat_scratch;
-    mutable Vector                         heat_product;
-    mutable Vector                         momentum_scratch;
-    mutable Vector                         momentum_product;
-    mutable std::vector<double>            end_displacement;
-    mutable std::vector<double>            end_velocity;
-    mutable std::vector<double>            old_end_displacement;
-    mutable std::vector<double>            end_temperature;
-    mutable std::vector<double>            end_pressure;
-    mutable std::vector<double>            old_end_pressure;
-    mutable std::vector<NodeLaw>           laws;     ///< of the contact nodes
-    mutable std::vector<double>            position; ///< of them
+    mutable Vector               heat_scratch;
+    mutable Vector               heat_product;
+    mutable Vector               momentum_scratch;
+    mutable Vector               momentum_product;
+    mutable std::vector<double>  end_displacement;
+    mutable std::vector<double>  end_velocity;
+    mutable std::vector<double>  old_end_displacement;
+    mutable std::vector<double>  end_temperature;
+    mutable std::vector<double>  end_pressure;
+    mutable std::vector<double>  old_end_pressure;
+    mutable std::vector<NodeLaw> laws;     ///< of the contact nodes
+    mutable std::vector<double>  position; ///< of them
 
     /** The terms of rank 0, on all ranks. */
     EnergyTerms
@@ -208,8 +208,7 @@ namespace ThermoContact
     contact_dissipation(const State &old_state, const State &state) const;
 
     /**
-     * The pressures that the obstacle stores the energy of: those of @p state,
-     * or with damping those of its penetrations at rest.
+     * The pressures whose energy the obstacle stores: of @p state, or with damping of its penetrations at rest.
      *
      * Sets @p laws and @p position, of damped ones.
      *

@@ -13,7 +13,7 @@ namespace ThermoContact
 
 
 
-  /** Products with the field matrices; those that a scene does not have are
+  /** Products with the field matrices; products that a scene does not have are
    * empty. */
   struct FieldMaps
   {

@@ -16,8 +16,8 @@ namespace ThermoContact
 {
   /**
    * The matrices of both fields, doc/discretisation.md section 1, assembled
-   * once without constraints, in the numbering of their fields; those that the
-   * scene does not have are empty.
+   * once without constraints, in the numbering of their fields; matrices that
+   * the scene does not have are empty.
    *
    * The mass matrices may be lumped, and in the cells of the contact end that
    * of the displacement may be such that the contact nodes have no mass,
@@ -90,7 +90,7 @@ namespace ThermoContact
     void
     assemble_stiffness();
 
-    /** What the ends of a rod carry. */
+    /** Springs, dashpots and masses of the ends of a rod. */
     void
     assemble_attached();
 

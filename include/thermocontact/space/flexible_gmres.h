@@ -75,7 +75,7 @@ namespace ThermoContact
     void
     keep_direction();
 
-    /** Makes what the matrix has made of it orthogonal to the basis. */
+    /** Makes its product with the matrix orthogonal to the basis. */
     void
     orthogonalize(const unsigned int j);
 

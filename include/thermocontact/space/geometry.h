@@ -25,7 +25,7 @@ namespace ThermoContact
 
 
   /**
-   * The geometry of a body on its mesh: what quadrature points weigh in an
+   * The geometry of a body on its mesh: the weights of quadrature points in an
    * integral, which strains a displacement makes, which lateral faces are held
    * and where contact nodes get their weights. All integrals of the equations
    * and all stresses come from here.
@@ -68,7 +68,7 @@ namespace ThermoContact
       return body->has_uniform_weight();
     }
 
-    /** What an area or length of the mesh at a point stands for. */
+    /** Area or length of the body over that of the mesh at a point. */
     double
     weight_at(const dealii::Point<dim> &point) const
     {

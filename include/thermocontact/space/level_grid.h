@@ -32,7 +32,7 @@ namespace ThermoContact
 
 
 
-  /** What a point of a cell has for a pair of its basis functions. */
+  /** A point of a cell with a pair of its basis functions. */
   struct BasisProduct
   {
     double        x, weight; ///< of the rule of Gauss
@@ -85,7 +85,7 @@ namespace ThermoContact
   public:
     using Index = std::array<unsigned int, dim>;
 
-    /** Those of a body. */
+    /** The nodes of a body. */
     explicit LevelGrid(const MeshParameters &mesh);
 
     /**

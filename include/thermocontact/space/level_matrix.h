@@ -66,7 +66,7 @@ namespace ThermoContact
     unsigned int
     band(const Field::Block field) const;
 
-    /** Those of vmult(), $D$, $D^T$ and the Laplacian of the mesh. */
+    /** Operators of vmult(), $D$, $D^T$ and the Laplacian of the mesh. */
     enum Operator : unsigned int
     {
       heat,
@@ -138,7 +138,7 @@ namespace ThermoContact
       Kind         kind;   ///< along y
     };
 
-    /** What an operator is. */
+    /** The terms of an operator. */
     struct Sum
     {
       std::vector<Line> lines;
@@ -201,7 +201,7 @@ namespace ThermoContact
               const bool           is_across,
               const bool           has_massless_nodes);
 
-    /** What add() works with; once. */
+    /** Makes the planes for add(); once. */
     void
     prepare_planes() const;
 

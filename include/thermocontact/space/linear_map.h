@@ -27,7 +27,7 @@ namespace ThermoContact
       y.add(factor, product);
     }
 
-    /** What computes $(x-y)\cdot A(x-y)$ with more digits, y may be null; else
+    /** Computes $(x-y)\cdot A(x-y)$ with more digits, y may be null; else
      * empty. */
     std::function<double(const Vector &x, const Vector *y)> own_form = nullptr;
 

@@ -38,7 +38,7 @@ namespace ThermoContact
     virtual void
     vmult(const Field::Block field, Vector &z, const Vector &r) const = 0;
 
-    /** What has been made so far. */
+    /** Number of factors or preconditioners made so far. */
     virtual unsigned int
     n_made() const = 0;
   };
@@ -156,7 +156,7 @@ namespace ThermoContact
       BlockVector inverses;
     };
 
-    /** What GMRES has done. */
+    /** The work of GMRES. */
     struct Iterations
     {
       unsigned int n        = 0;
@@ -171,8 +171,7 @@ namespace ThermoContact
      *
      * @param solution in: where to start, held nodes where they are held
      * @param rhs without springs
-     * @param tolerance of the weighted residual; what rounding leaves may be
-     *   more
+     * @param tolerance of the weighted residual; rounding may leave more
      * @param is_relative the tolerance is one of the first residual
      * @throw ComputationError if there are too many iterations, or if rounding
      *   leaves more than Tolerances::loose_residual
@@ -188,7 +187,8 @@ namespace ThermoContact
     void
     restart();
 
-    /** What the solution leaves of the right-hand side, without springs. */
+    /** The right-hand side less the product with the solution, without springs.
+     */
     const BlockVector &
     left(const BlockVector &solution, const BlockVector &rhs);
 
@@ -374,7 +374,7 @@ namespace ThermoContact
     /**
      * Residual with springs, weighted.
      *
-     * @return what rounding of springs contributes to its norm
+     * @return the part of its norm by rounding of springs
      */
     double
     compute_scaled(const BlockVector &solution,

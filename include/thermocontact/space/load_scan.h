@@ -12,8 +12,8 @@
 namespace ThermoContact
 {
   /**
-   * What steps are to follow of the loads of a scene: the break points that are
-   * listed and, for error-controlled steps, what the expressions in t do up to
+   * The history of the loads of a scene that steps follow: the break points
+   * that are listed and, for error-controlled steps, the expressions in t up to
    * the end time: where they depend on the place, at 61 places. Costs nothing
    * where nothing depends on t. The same on all ranks.
    *

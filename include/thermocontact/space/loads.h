@@ -32,8 +32,8 @@ namespace ThermoContact
           ProblemData<dim>          &data);
 
     /**
-     * The part of $\ell_\theta$ that is no source: what obstacle and
-     * surroundings give by their temperatures.
+     * The part of $\ell_\theta$ that is no source: heat by the temperatures of
+     * obstacle and surroundings.
      */
     const Vector &
     outer_heat() const
@@ -79,7 +79,7 @@ namespace ThermoContact
         const double             factor = 1.);
 
     /**
-     * Adds what acts on a part of the boundary to the sources, times a factor:
+     * Adds a load on a part of the boundary to the sources, times a factor:
      * a heat flux into the body, or a force along the axis.
      */
     void
@@ -94,7 +94,8 @@ namespace ThermoContact
 
     /** The force on a mass at the right end of a gap of a row, (M10.1). */
     void
-    add_force_on_mass(const typename DoFHandler<dim>::active_cell_iterator &cell);
+    add_force_on_mass(
+      const typename DoFHandler<dim>::active_cell_iterator &cell);
 
     /** Adds the part of the sources that acts on a field. */
     void

@@ -12,7 +12,7 @@
 namespace ThermoContact
 {
   /**
-   * What a node meets whose gap in front is @p gap.
+   * The law of a node whose gap in front is @p gap.
    *
    * @param position in: its displacement; out: as below
    */
@@ -22,7 +22,7 @@ namespace ThermoContact
                 double             &position);
 
   /**
-   * What the contact nodes of a state meet, and where they are: which of two
+   * The laws of the contact nodes of a state, and their places: which of two
    * obstacles is local to each, the nearer one. Collective.
    *
    * @param laws out: one for each node; none is held or in velocity
@@ -64,7 +64,7 @@ namespace ThermoContact
    * @param mode open: the nodes meet nothing; closed: they are held
    * @param held_at StageRates::held_at
    * @param start out: x if the velocity of the node is zero
-   * @return what x grows by per velocity of the node
+   * @return growth of x per velocity of the node
    */
   template <int dim>
   double
@@ -78,8 +78,7 @@ namespace ThermoContact
 
   /**
    * The same for laws whose x is the velocity at one instant, of nodes on rigid
-   * obstacles: those of @p is_closed cannot move into their local obstacle, and
-   * the others meet nothing.
+   * obstacles: nodes of @p is_closed cannot move into their local obstacle, and the others meet nothing.
    */
   template <int dim>
   void

@@ -13,8 +13,8 @@ namespace ThermoContact
 {
   /**
    * An obstacle that moves: gaps $g(t)$ of the contact nodes, or $g(y,z,t)$ at
-   * their places, with their rates; doc/contact-in-time.md section 8. Those of
-   * an obstacle that stands still never change. Nondimensional; the obstacle
+   * their places, with their rates; doc/contact-in-time.md section 8. The gaps
+   * of an obstacle that stands still never change. Nondimensional; the obstacle
    * goes away from the body where the rate is positive.
    */
   template <int dim>

@@ -30,7 +30,7 @@ namespace ThermoContact
 
     /**
      * Heat exchange coefficient $k_i\ge0$ at the contact nodes, on all ranks:
-     * that of the law, or, where the law jumps, any between its limits there.
+     * by the law, or, where the law jumps, any between its limits there.
      */
     std::vector<double> exchange_coefficient;
 
@@ -106,7 +106,7 @@ namespace ThermoContact
       contact_velocity.swap(other.contact_velocity);
     }
 
-    /** What all ranks know; the vectors are saved by StateSerialiser. */
+    /** The values that all ranks know; StateSerialiser saves the vectors. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -20,7 +20,7 @@ namespace ThermoContact
    * @f]
    * doc/discretisation.md (D2.2). A field whose coefficients are zero is not
    * part of the system.
-   * Those of the program stand below.
+   * The systems of the program stand below.
    */
   struct SystemCoefficients
   {
@@ -55,7 +55,7 @@ namespace ThermoContact
 
 
 
-  /** $M$: what heat does at one instant, before it flows. */
+  /** $M$: heat at one instant, before it flows. */
   inline constexpr SystemCoefficients heat_at_once{1.};
 
   /** $K+kB$: heat of a body at rest. */

@@ -10,7 +10,7 @@ namespace ThermoContact
 {
   /**
    * The rows of a field of a system without the other field, in the numbering
-   * of the field; those that are constrained say that the unknown vanishes.
+   * of the field; constrained rows say that the unknown vanishes.
    *
    * @param equations of a scene that has matrices
    */

@@ -129,7 +129,7 @@ namespace ThermoContact
               Vector       &momentum) const;
 
     /**
-     * What is left of the momentum equation (D1.2) without contact,
+     * The residual of the momentum equation (D1.2) without contact,
      * $\ell_u-Su+aD^T\theta-\zeta S_\zeta v-bM_uv'$, in all rows: in
      * constrained ones it is minus the force that moves them.
      *

@@ -73,7 +73,7 @@ namespace ThermoContact
       bool
       has_waves() const;
 
-      /** Sum of what a function says of each side. */
+      /** Sum of a function over the sides. */
       template <typename OfSide>
       double
       sum(const OfSide &of_side) const;
@@ -95,25 +95,27 @@ namespace ThermoContact
     Vector                            momentum_load; ///< mean of the step
     Vector                            stage_momentum_load;
 
-    /** What the drive of the fixed end says of the rates there. */
+    /** The rates of the fixed end by its drive. */
     std::array<double, HeatStages::n> end_heating;
     double                            end_velocity = 0.;
     Vector                            heat_lift, heat_scratch, momentum_lift;
 
     Vector velocity_change, viscous_part; ///< of a viscous rod
 
-    State  stage;    ///< what a step does its work in
+    State  stage;    ///< in which a step does its work
     State  obstacle; ///< gaps alone, at the end of the step
     Vector acceleration;
 
-    /** What contact asks of a step: at the end node, unless it says others. */
+    /** The values of a step for contact: at the end node, unless others are
+     * named. */
     struct EndValues
     {
       double velocity   = 0.; ///< $w$
       double inner      = 0.; ///< $w$ of its neighbour
       double old_middle = 0.; ///< known velocity of the last cell
 
-      /** $\theta-\theta_{obs}$ at the stages, or the difference of two bodies. */
+      /** $\theta-\theta_{obs}$ at the stages, or the difference of two bodies.
+       */
       std::array<double, HeatStages::n> temperature{};
     };
 
@@ -130,7 +132,7 @@ namespace ThermoContact
       double after;  ///< with which the end leaves, negative
     };
 
-    /** That of this step and that of the next one, if there are any. */
+    /** The release in this step and in the next one, if there are any. */
     struct Releases
     {
       std::optional<Release> now, next;
@@ -171,7 +173,7 @@ namespace ThermoContact
                const double       size,
                const unsigned int c) const;
 
-    /** What a unit load takes from them. */
+    /** Their loss by a unit load. */
     EndValues
     end_response(const BoxRates    &response,
                  const double       size,
@@ -268,7 +270,7 @@ namespace ThermoContact
                     const double       size,
                     const unsigned int cell) const;
 
-    /** What the waves near the end say of them, with the free rates. */
+    /** The releases by the waves near the end, with the free rates. */
     Releases
     find_releases(const unsigned int c,
                   const State       &state,

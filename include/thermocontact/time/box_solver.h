@@ -73,11 +73,12 @@ namespace ThermoContact
     void
     solve_viscous(const double size, const Vector &right, Vector &solution);
 
-    /** What a unit pressure at a contact takes from the rates of such a step. */
+    /** The loss of the rates of such a step by a unit pressure at a contact.
+     */
     const BoxRates &
     response_to_pressure(const double size, const unsigned int contact);
 
-    /** What a unit heat flux through it in a stage takes from them. */
+    /** Their loss by a unit heat flux through it in a stage. */
     const BoxRates &
     response_to_flux(const double       size,
                      const unsigned int contact,
@@ -123,7 +124,7 @@ namespace ThermoContact
 
     std::list<Factors> kept; ///< the one used last in front
 
-    /** Those of a step by @p size. */
+    /** The factors of a step by @p size. */
     Factors &
     provide(const double size);
 

@@ -79,7 +79,7 @@ namespace ThermoContact
     virtual void
     solve_system(const bool is_last);
 
-    /** What y leaves of the forces without springs. */
+    /** The forces less the product with y, without springs. */
     virtual const Vector &
     left();
 

@@ -9,11 +9,11 @@
 
 namespace ThermoContact
 {
-  /** What a cell near a contact has of the waves, in its middle. */
+  /** The waves in the middle of a cell near a contact. */
   struct CellValues
   {
     double velocity    = 0.;
-    double strain      = 0.; ///< with what viscosity adds to the stress
+    double strain      = 0.; ///< with the viscous part of the stress
     double temperature = 0.;
   };
 
@@ -26,7 +26,7 @@ namespace ThermoContact
    */
   struct ContactSide
   {
-    double             sign;   ///< of what moves along x into the contact
+    double             sign;   ///< of motions along x into the contact
     unsigned int       node;   ///< its place in a vector of displacements
     int                inward; ///< from there to the next node; 0: a mass
     unsigned int       n_cells;

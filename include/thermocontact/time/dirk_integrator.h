@@ -24,8 +24,8 @@ namespace ThermoContact
    *
    * Work, dissipation and impulse are sums over the stages with the weights of
    * the scheme. The numerical dissipation of backward Euler has its own formula
-   * (D4.3); that of the other schemes is what the balance lacks, has no sign,
-   * and vanishes with the order of the scheme.
+   * (D4.3); in other schemes it is the rest of the balance, has no sign, and
+   * vanishes with the order of the scheme.
    */
   template <int dim>
   class DirkIntegrator : public TimeIntegrator
@@ -75,7 +75,7 @@ namespace ThermoContact
     /** Of the rates of temperature, displacement and velocity. */
     std::array<std::vector<Multiple>, 3> rate_sums;
 
-    /** What moves the ends of the body in a step from @p state. */
+    /** Starts the motions of the ends of the body in a step from @p state. */
     void
     start_drives(const State &state, const TimeStep &time_step);
 
@@ -182,7 +182,7 @@ namespace ThermoContact
     static void
     start_sums(StepResult &result);
 
-    /** Adds what the stage that ends in @p stage_state weighs. */
+    /** Adds the stage that ends in @p stage_state with its weight. */
     void
     book(const State &stage_state, const double weight, StepResult &result);
   };

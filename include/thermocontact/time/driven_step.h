@@ -54,7 +54,7 @@ namespace ThermoContact
              Vector            &acceleration) const;
 
     /**
-     * Power of what drives the end in a stage that ends in @p state, (D6.3),
+     * Power of the drive of the end in a stage that ends in @p state, (D6.3),
      * positive into the body, per unit cross-section, nondimensional; 0 where
      * the end rests. Collective.
      *

@@ -14,10 +14,10 @@
 namespace ThermoContact
 {
   /**
-   * What forces do to a body at one instant: $Ky+Np=r$ for all rows of the
-   * displacement, with pressures of contact nodes that their laws give at $x+c
-   * y_n$. With $K=bM_u$ y is an acceleration, or a change of the velocity and p
-   * an impulse; with $K=(\zeta+1)S$ of a body without inertia it is a
+   * The effect of forces on a body at one instant: $Ky+Np=r$ for all rows of
+   * the displacement, with pressures of contact nodes that their laws give at
+   * $x+c y_n$. With $K=bM_u$ y is an acceleration, or a change of the velocity
+   * and p an impulse; with $K=(\zeta+1)S$ of a body without inertia it is a
    * displacement or, times $(\zeta+1)/\zeta$, a velocity. Factors and responses
    * are made when they are needed first, and kept.
    */
@@ -34,13 +34,13 @@ namespace ThermoContact
 
     /**
      * @param body borrowed
-     * @param counters of what is made; borrowed
+     * @param counters of factors and solves; borrowed
      */
     Equilibrium(const Body<dim> &body,
                 const Matrix     matrix,
                 SolverCounters  &counters);
 
-    /** Makes what is kept and is not there yet. Collective. */
+    /** Makes the parts that are kept and are not there yet. Collective. */
     void
     provide();
 

@@ -74,7 +74,7 @@ namespace ThermoContact
 
     using ContactPort<dim>::solve;
 
-    /** What is prepared, with contact; @return number of sets of tangents. */
+    /** Solves the prepared stage with contact; @return number of sets of tangents. */
     unsigned int
     meet_laws(std::vector<double> &pressure);
 

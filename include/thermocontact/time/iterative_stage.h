@@ -80,7 +80,7 @@ namespace ThermoContact
       system->set_springs(springs, relaxed);
     }
 
-    /** What residuals are compared to: terms of the stage, or the first one. */
+    /** Scale of residuals: terms of the stage, or the first residual. */
     enum class Measure
     {
       of_terms,
@@ -98,8 +98,7 @@ namespace ThermoContact
     /**
      * Solves for the present set.
      *
-     * @param tolerance relative residual, (D8.4); what rounding leaves may be
-     *   more
+     * @param tolerance relative residual, (D8.4); rounding may leave more
      * @return number of iterations
      * @throw ComputationError if there are too many, or if rounding leaves more
      *   than 1e-5
@@ -128,7 +127,7 @@ namespace ThermoContact
       return rhs.block(Field::displacement);
     }
 
-    /** What is left of the rows (D8.1), without contact. */
+    /** The residual of the rows (D8.1), without contact. */
     const Vector &
     unsolved(const Field::Block field) const
     {

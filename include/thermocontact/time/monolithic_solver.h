@@ -107,7 +107,7 @@ namespace ThermoContact
       /** To pressures: Field::displacement; to fluxes: Field::temperature. */
       std::array<std::vector<UnitResponse>, 2> unit_responses;
 
-      EndResponse end; ///< what they do to the contact nodes
+      EndResponse end; ///< their effect on the contact nodes
 
       bool
       has_response() const
@@ -145,7 +145,7 @@ namespace ThermoContact
     compute_unit_responses(const Field::Block load,
                            Factorization     &factorization);
 
-    /** What the contact nodes of @p field lose by unit loads on @p load. */
+    /** The loss of @p field at the contact nodes by unit loads on @p load. */
     FullMatrix<double>
     loss_at_end(const Field::Block   field,
                 const Field::Block   load,

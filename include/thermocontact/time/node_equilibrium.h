@@ -29,7 +29,7 @@ namespace ThermoContact
     /**
      * @param body borrowed
      * @param factor of the stiffness
-     * @param counters what is factorised is added
+     * @param counters to which factorisations are added
      * @param takes_heat the nodes move at once, and the body takes heat for it,
      *   (C4.4): $K$ has $a^2D^TM^{-1}D$ added
      */

@@ -27,7 +27,7 @@ namespace ThermoContact
    * moves; doc/discretisation.md (D6.1), (C8.1). Their rates are those of the
    * functions, all of them shifted by what lets the step end at the value
    * there, and their values follow them as all other unknowns do: so schemes
-   * keep their orders. What has inertia has rates that follow the second
+   * keep their orders. A motion with inertia has rates that follow the second
    * derivatives in the same way, as the velocities of all nodes around it do: a
    * viscous body would answer the difference by accelerations of low order.
    * Where a function has no derivative, jumps, or starts from another value,

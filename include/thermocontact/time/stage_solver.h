@@ -33,12 +33,12 @@ namespace ThermoContact
     unsigned int n_iterations =
       0; ///< linear systems of contact, or of the fixed point
 
-    /** Power of what a linear solver has left unsolved, (D8.5). */
+    /** Power of the residuals of a linear solver, (D8.5). */
     double algebraic_power = 0.;
 
     std::string failure; ///< empty: solved
 
-    /** What a solver begins with: no pressures, nothing of the last stage. */
+    /** The start of a solver: no pressures, nothing of the last stage. */
     void
     start(const State &known)
     {
@@ -51,7 +51,7 @@ namespace ThermoContact
 
 
 
-  /** What a run has spent. */
+  /** The cost of a run so far. */
   struct SolverCounters
   {
     /** Factors, or preconditioners of a stage length or of a set of nodes. */
@@ -68,7 +68,7 @@ namespace ThermoContact
     double solve_seconds         = 0.; ///< with factorisations
     double contact_seconds       = 0.; ///< pressures and responses
 
-    /** Adds counts; times are those of stages alone. */
+    /** Adds counts; times are of stages alone. */
     SolverCounters &
     operator+=(const SolverCounters &other)
     {
@@ -93,7 +93,7 @@ namespace ThermoContact
 
 
 
-  /** What a stage solver retains from one stage to the next. */
+  /** The memory of a stage solver from one stage to the next. */
   struct RetainedFactorizations
   {
     SolverCounters counters;
@@ -184,7 +184,7 @@ namespace ThermoContact
       return "direct";
     }
 
-    /** What the user is to know of the stages since the last call. */
+    /** Warnings for the user of the stages since the last call. */
     std::vector<std::string>
     take_warnings()
     {
@@ -197,13 +197,13 @@ namespace ThermoContact
       return counters_;
     }
 
-    /** What the solver retains between stages, for checkpoints. */
+    /** The memory of the solver between stages, for checkpoints. */
     virtual RetainedFactorizations
     retained() const = 0;
 
     /**
-     * Makes again what was retained and goes on counting from there, so that a
-     * run that goes on spends what an uninterrupted one does. Collective.
+     * Makes retained factors again and goes on counting from there, so that a
+     * run that goes on spends as much as an uninterrupted one. Collective.
      */
     virtual void
     restore(const RetainedFactorizations &retained) = 0;

@@ -48,7 +48,7 @@ namespace ThermoContact
   /** One step of the time loop: from the present time to @p end. */
   struct TimeStep
   {
-    /** What the step ends at. */
+    /** The reason of the end of the step. */
     enum Target
     {
       none,   ///< nothing: its size is the controller's
@@ -123,7 +123,7 @@ namespace ThermoContact
       loads = history;
     }
 
-    /** What steps follow. */
+    /** The loads that steps follow. */
     const LoadHistory &
     followed_loads() const
     {
@@ -165,7 +165,7 @@ namespace ThermoContact
     /**
      * The step is not accurate enough.
      *
-     * @param of_step order that the step has had; nothing: that of the scheme
+     * @param of_step order of the step; nothing: as the scheme
      */
     void
     reject(const TimeStep                   &step,
@@ -190,9 +190,7 @@ namespace ThermoContact
     static constexpr double at_touch = 0.25, at_change = 0.5;
 
     /**
-     * Contact has changed or a load has jumped: what follows may be faster than
-     * what the size was chosen for, of which a step is to have no more than
-     * @p factor. Attempts that were rejected since then may have made it small
+     * Contact has changed or a load has jumped: the next motion may be faster than the one for which the size was chosen, of which a step is to have no more than @p factor. Attempts that were rejected since then may have made it small
      * enough.
      */
     void
@@ -207,7 +205,7 @@ namespace ThermoContact
     is_exhausted(const TimeStep &step, const double time) const;
 
     /**
-     * What an accepted step leaves to the next, for checkpoints: rejections
+     * The memory of an accepted step for the next, for checkpoints: rejections
      * and events that are aimed at are forgotten with accept().
      */
     template <class Archive>

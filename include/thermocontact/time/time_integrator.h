@@ -19,23 +19,23 @@ namespace ThermoContact
   /** A step that has been computed but not yet accepted. */
   struct StepResult
   {
-    State        state;                      ///< at the end of the step
-    EnergyTerms  energy;                     ///< of that state
-    EnergyTerms  error;                      ///< its estimate, (D3.3)
-    double       old_energy            = 0.; ///< where the step starts
-    double       work                  = 0.; ///< $W$
-    double       dissipation           = 0.; ///< $D$
-    double       lateral_dissipation   = 0.; ///< the part (D4.5) of $D$
-    double       numerical_dissipation = 0.; ///< $N$
-    double       algebraic             = 0.; ///< $A$, (D8.5)
-    double       contact_dissipation   = 0.; ///< by the obstacle, (D4.7)
-    double       impulse               = 0.; ///< of the contact force
+    State       state;                      ///< at the end of the step
+    EnergyTerms energy;                     ///< of that state
+    EnergyTerms error;                      ///< its estimate, (D3.3)
+    double      old_energy            = 0.; ///< where the step starts
+    double      work                  = 0.; ///< $W$
+    double      dissipation           = 0.; ///< $D$
+    double      lateral_dissipation   = 0.; ///< the part (D4.5) of $D$
+    double      numerical_dissipation = 0.; ///< $N$
+    double      algebraic             = 0.; ///< $A$, (D8.5)
+    double      contact_dissipation   = 0.; ///< by the obstacle, (D4.7)
+    double      impulse               = 0.; ///< of the contact force
 
     /** The same of each contact of a row; else empty. */
     std::vector<double> impulses;
 
-    unsigned int n_iterations          = 0;  ///< of the stages, added up
-    bool         is_prescribed = false;      ///< the paper's first step, (D5.1)
+    unsigned int n_iterations  = 0;     ///< of the stages, added up
+    bool         is_prescribed = false; ///< the paper's first step, (D5.1)
 
     /**
      * Nodes in contact at the end of a step within which nodes without mass
@@ -46,7 +46,8 @@ namespace ThermoContact
     /** Of the tableau that was used; nothing: of the scheme. */
     std::optional<unsigned int> order;
 
-    /** Where each contact begins or ends in the step, if the scheme knows it. */
+    /** Where each contact begins or ends in the step, if the scheme knows it.
+     */
     std::vector<std::optional<ContactChange>> contact_changes;
 
     /** Contacts of rigid masses that begin and end at once in the step. */
@@ -134,7 +135,7 @@ namespace ThermoContact
     virtual StageSolver &
     stage_solver() = 0;
 
-    /** What was spent beside the stage solver. */
+    /** The cost beside the stage solver. */
     const SolverCounters &
     own_counters() const
     {
