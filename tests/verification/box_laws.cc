@@ -36,10 +36,12 @@
 // 8. The massless node of sdirk4 has no velocity when it leaves: no
 //    restitution.
 // 9. Heat of a rod whose fixed end jumps by 1, a = 0.5, zeta = 0.1, k of gap
-//    and pressure, 200 cells: against sdirk4 with a tolerance of 1e-8 the mean
-//    temperature, 10 at most, is right to 0.02 at all times, that of the end at
-//    last to 1e-3. Away from the jump and from events it does not alternate:
-//    its second differences are below 4e-3.
+//    and pressure, against sdirk4 with a tolerance of 1e-8. Contact changes k
+//    at a time that the scheme knows to a step, which costs the mean
+//    temperature at most that time of the largest flux q of heat: 200 cells,
+//    dt q. At T heat has decayed by exp(-pi^2/4 (T - 0.5)) since. Away from
+//    the jump and from events second differences of what does not alternate
+//    fall like dt^2: by 4 from 100 to 200 cells.
 
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/simulation/simulation.h>
@@ -432,37 +434,46 @@ main_box_laws()
       "Boundary/left/Temperature=10+if(t>0.25,1,0)",
       "Time/Break points=0.25",
       "Time/End time=1.5"};
-    const Run    fine       = run(heated + Entries{"Time/Tolerance=1e-8"});
-    Run          box        = run_box(200, 1., 1.5, heated);
-    double       difference = 0.;
-    unsigned int i          = 0;
-    for (const StepRecord &row : box.rows)
+    const Run fine = run(heated + Entries{"Time/Tolerance=1e-8"});
+    double    flux = 0.;
+    for (const StepRecord &row : fine.rows)
+      raise(flux, std::abs(row.heat_flux_end));
+    double difference = 0., end = 0., swing[] = {0., 0.};
+    for (const unsigned int n : {100, 200})
       {
-        while (i + 1 < fine.rows.size() && fine.rows[i + 1].time < row.time)
-          ++i;
-        const StepRecord
-          &a = fine.rows[i],
-          &b = fine.rows[std::min<std::size_t>(i + 1, fine.rows.size() - 1)];
-        const double part =
-          b.time > a.time ? (row.time - a.time) / (b.time - a.time) : 0.;
-        raise(difference,
-              std::abs(row.temperature_mean - a.temperature_mean -
-                       part * (b.temperature_mean - a.temperature_mean)));
+        const Run    box = run_box(n, 1., 1.5, heated);
+        unsigned int i   = 0;
+        difference       = 0.;
+        for (const StepRecord &row : box.rows)
+          {
+            while (i + 1 < fine.rows.size() && fine.rows[i + 1].time < row.time)
+              ++i;
+            const StepRecord &
+              a = fine.rows[i],
+             &b = fine.rows[std::min<std::size_t>(i + 1, fine.rows.size() - 1)];
+            const double part =
+              b.time > a.time ? (row.time - a.time) / (b.time - a.time) : 0.;
+            raise(difference,
+                  std::abs(row.temperature_mean - a.temperature_mean -
+                           part * (b.temperature_mean - a.temperature_mean)));
+          }
+        for (unsigned int k = 2; k < box.rows.size(); ++k)
+          if ((box.rows[k].time > 0.3 && box.rows[k].time < 0.44) ||
+              box.rows[k].time > 0.55)
+            raise(swing[n / 200],
+                  std::abs(box.rows[k].temperature_mean -
+                           2. * box.rows[k - 1].temperature_mean +
+                           box.rows[k - 2].temperature_mean));
+        end = std::abs(box.rows.back().temperature_end -
+                       fine.rows.back().temperature_end);
       }
-    double swing = 0.;
-    for (unsigned int k = 2; k < box.rows.size(); ++k)
-      if ((box.rows[k].time > 0.3 && box.rows[k].time < 0.44) ||
-          box.rows[k].time > 0.55)
-        raise(swing,
-              std::abs(box.rows[k].temperature_mean -
-                       2. * box.rows[k - 1].temperature_mean +
-                       box.rows[k - 2].temperature_mean));
-    deallog << "heat: mean temperature " << within(difference, 0.02)
-            << ", second differences " << within(swing, 4e-3) << ", at the end "
-            << within(std::abs(box.rows.back().temperature_end -
-                               fine.rows.back().temperature_end),
-                      1e-3)
-            << std::endl;
+    const double bound = flux / 200.;
+    const double decay =
+      std::exp(-std::pow(dealii::numbers::PI / 2., 2) * (1.5 - 0.5));
+    deallog << "heat: mean temperature in bounds "
+            << within(difference / bound, 1.) << ", at the end "
+            << within(end / (decay * bound), 1.) << ", second differences by 4 "
+            << within(std::abs(swing[0] / swing[1] - 4.), 0.1) << std::endl;
   }
   deallog << images.words(1e-12) << std::endl;
 }
