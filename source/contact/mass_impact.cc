@@ -86,6 +86,12 @@ namespace ThermoContact
         if (v == 0. && a <= 0.)
           break; // leaves with what draws it
       }
+    if (result.impacts.size() == max_impacts && a > 0.)
+      {
+        result.loss += 0.5 * v * v;
+        result.change_time = t; // as good as at rest
+        return rest_until_end();
+      }
     const double left  = path.size - t;
     result.penetration = std::min(0., s + left * (v + 0.5 * a * left));
     result.velocity    = v + a * left;

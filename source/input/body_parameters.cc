@@ -132,9 +132,27 @@ namespace ThermoContact
       if (!name.empty() && std::find(to.begin(), to.end(), name) == to.end())
         to.push_back(name);
     };
+    const auto is_of_file = [](const Assignment &assignment) {
+      return assignment.place.find(", line ") != std::string::npos;
+    };
+    // what a file has not, a command line or a study does not add to it
+    const bool has_bodies =
+      std::any_of(assignments.begin(),
+                  assignments.end(),
+                  [&](const Assignment &assignment) {
+                    return is_of_file(assignment) &&
+                           !name_within(bodies_section, assignment.path)
+                              .empty();
+                  });
     for (const Assignment &assignment : assignments)
       {
         const std::string name = name_within(bodies_section, assignment.path);
+        if (has_bodies && !name.empty() && !is_of_file(assignment) &&
+            std::find(names.begin(), names.end(), name) == names.end())
+          refuse(assignment,
+                 "the file has no body " + quote(name),
+                 "its bodies, " + join_words(names),
+                 "a subsection of Bodies in the file");
         if (!name.empty() && !can_name_body(name))
           refuse(assignment,
                  "'" + quote(name) + "' cannot be the name of a body",

@@ -32,9 +32,7 @@ namespace ThermoContact
     {
       const unsigned int dim = parameters.dimension;
       std::string limits     = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
-      limits +=
-        text(" with 0 <= x <= ",
-             parameters.row.is_given() ? parameters.row.length() : 1.);
+      limits += " with 0 <= x <= 1";
       if (dim > 1)
         limits += (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") +
                   text(parameters.mesh.width, " (Mesh/Width)");
@@ -71,7 +69,8 @@ namespace ThermoContact
             const auto x = parse_number(coordinates[d]);
             if (!x)
               refuse_position(*this, part, "is no position");
-            const double length = row.is_given() ? row.length() : 1.;
+            // the rods of a row are looked at where their places are known
+            const double length = row.is_given() ? infinity : 1.;
             if (!(*x >= 0. && *x <= (d == 0 ? length : mesh.width)))
               refuse_position(*this, part, "is not in the body");
             positions.back()[d] = *x;

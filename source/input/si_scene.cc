@@ -453,7 +453,15 @@ namespace ThermoContact
     const std::string wanted = given("Rod/Small terms").value_or("automatic");
     if (wanted != "automatic")
       return wanted == "dropped";
-    return !has_row && is_zero("Initial values/Velocity") &&
+    const bool has_moving_body =
+      std::any_of(assignments.begin(),
+                  assignments.end(),
+                  [](const Assignment &assignment) {
+                    return begins_with(assignment.path, "Bodies/") &&
+                           (name_of(assignment.path) == "Velocity" ||
+                            assignment.value == "mass");
+                  });
+    return !has_moving_body && is_zero("Initial values/Velocity") &&
            is_zero("Boundary/left/Displacement") &&
            is_zero("Contact/Rear gap") && is_zero("Boundary/left/Mass") &&
            is_zero("Boundary/right/Mass") && is_zero("Boundary/left/Dashpot") &&

@@ -174,7 +174,8 @@ namespace ThermoContact
       return warnings;
     const double there =
       std::max(starting_energy(record), 0.) + std::max(record.work, 0.);
-    if (record.numerical_dissipation > largest_numerical_part * there)
+    if (there > 0. &&
+        record.numerical_dissipation > largest_numerical_part * there)
       warnings.push_back(
         text("the scheme took ",
              significant(100. * record.numerical_dissipation / there, 2),

@@ -55,11 +55,19 @@ namespace ThermoContact
 
 
 
-  double
+  std::optional<double>
   BodyRow::middle() const
   {
-    const RowBody &body = body_at(0.5 * length());
-    return std::max(0.5 * length(), body.begin);
+    const double          wanted = 0.5 * length();
+    std::optional<double> nearest;
+    for (const RowBody &body : bodies)
+      if (body.n_cells > 0)
+        {
+          const double x = std::clamp(wanted, body.begin, body.end);
+          if (!nearest || std::abs(x - wanted) < std::abs(*nearest - wanted))
+            nearest = x;
+        }
+    return nearest;
   }
 
 
@@ -164,6 +172,56 @@ namespace ThermoContact
 
 
 
+  std::vector<MassContact>
+  mass_contacts(const Parameters &parameters)
+  {
+    const auto law =
+      contact_law(parameters.contact.condition).make(parameters.contact.law);
+    std::vector<MassContact> contacts;
+    if (!law->is_active() || parameters.model.fields == "temperature")
+      return contacts;
+    const std::vector<BodyParameters> &bodies = parameters.row.bodies;
+    double                             fastest = 0.;
+    for (const BodyParameters &body : bodies)
+      fastest = std::max(fastest, std::abs(parse_number(body.velocity).value_or(0.)));
+    const auto add = [&](const std::string &name,
+                         const BodyParameters &one,
+                         const BodyParameters *const other) {
+      const bool has_rod =
+        !one.is_mass() || (other != nullptr && !other->is_mass());
+      if (!one.is_mass() && (other == nullptr || !other->is_mass()))
+        return;
+      const double mass =
+        has_rod            ? (one.is_mass() ? one.mass : other->mass) :
+        other == nullptr   ? one.mass :
+                             one.mass * other->mass / (one.mass + other->mass);
+      if (!law->is_rigid())
+        {
+          const double energy = 0.5 * mass * fastest * fastest;
+          const double compliance =
+            law->tangent(law->is_linear() ?
+                           0. :
+                           law->pressure(law->penetration_of_energy(energy)));
+          contacts.push_back({name, std::sqrt(mass * compliance)});
+        }
+      else if (has_rod)
+        {
+          const BodyParameters &rod = one.is_mass() ? *other : one;
+          contacts.push_back(
+            {name,
+             mass / (rod.section * std::sqrt(parameters.model.inertia *
+                                             rod.density * rod.stiffness))});
+        }
+    };
+    for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
+      add(bodies[i].name + " " + bodies[i + 1].name, bodies[i], &bodies[i + 1]);
+    if (parameters.boundary.right.meets_obstacle())
+      add(bodies.back().name + " obstacle", bodies.back(), nullptr);
+    return contacts;
+  }
+
+
+
   double
   passage_of_row_cell(const Parameters &parameters)
   {
@@ -174,7 +232,12 @@ namespace ThermoContact
           sum += passage_of_rod(parameters, body);
           n_cells += body.cells;
         }
-    return n_cells > 0. ? sum / n_cells : 1e-3 * parameters.time.end_time;
+    if (n_cells > 0.)
+      return sum / n_cells;
+    double size = 1e-3 * parameters.time.end_time;
+    for (const MassContact &contact : mass_contacts(parameters))
+      size = std::min(size, 0.02 * contact.time);
+    return size;
   }
 
 
@@ -197,6 +260,16 @@ namespace ThermoContact
         }
     if (rods.empty())
       return;
+    for (const BodyParameters &body : parameters.row.bodies)
+      if (by_passage && !body.is_mass() && body.cells > 0)
+        {
+          // in the time in which a wave passes a cell that is given
+          const double passage =
+            passage_of_rod(parameters, body) / body.cells;
+          for (unsigned int i = 0; i < rods.size(); ++i)
+            rods[i]->cells = std::max(1., std::round(sizes[i] / passage));
+          return;
+        }
     // the first number of cells for which all are as good as whole, if any
     const auto misfit = [&](const double n) {
       double largest = 0.;

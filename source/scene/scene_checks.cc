@@ -732,8 +732,43 @@ namespace ThermoContact
         .since(row.begins_with_mass() && scene.fields.has_displacement &&
                  !scene.has_free_end,
                "the row begins with a mass",
-               "Boundary/left/Support = free, or a rod before it");
-      Refusal{"Boundary/left/Traction", parameters.boundary.left.traction, "0"}
+               "Boundary/left/Support = free, or a rod before it");      const BoundaryParameters::Left &left    = parameters.boundary.left;
+      const bool is_hot_mass = row.begins_with_mass() &&
+                               scene.fields.has_temperature;
+      const std::string before_mass =
+        "a rod before the mass: nothing conducts heat into a first mass from "
+        "the left";
+      Refusal{"Boundary/left/Temperature",
+              left.temperature_expression.empty() ?
+                text(left.temperature) :
+                left.temperature_expression,
+              "none"}
+        .since(is_hot_mass && left.has_temperature(),
+               "the row begins with a mass",
+               "Boundary/left/Temperature = none, or " + before_mass);
+      Refusal{"Boundary/left/Heat exchange", text(left.heat_exchange), "0"}
+        .since(is_hot_mass && !left.has_temperature() &&
+                 left.heat_exchange > 0.,
+               "the row begins with a mass",
+               before_mass);
+      Refusal{"Boundary/left/Heat flux", left.heat_flux, "0"}.since(
+        is_hot_mass && scene.sources.has_left_heat_flux,
+        "the row begins with a mass",
+        before_mass);
+      const bool ends_with_mass = parameters.row.bodies.back().is_mass();
+      Refusal{"Boundary/right/Support", "clamped", "free or contact"}.since(
+        ends_with_mass && parameters.boundary.right.is_clamped(),
+        "the row ends with a mass",
+        "Boundary/right/Support = free, or a rod behind the mass");
+      Refusal{"Boundary/right/Temperature",
+              text(parameters.boundary.right.temperature.value_or(0.)),
+              "none"}
+        .since(ends_with_mass && scene.heat.right_temperature.has_value(),
+               "the row ends with a mass",
+               "Boundary/right/Temperature = none, or a rod behind the mass");
+      Refusal{"Boundary/left/Traction",
+              parameters.boundary.left.traction,
+              "0"}
         .since(row.begins_with_mass() && scene.sources.has_left_traction,
                "the row begins with a mass",
                "Sources/Body force, which acts on masses, too");
@@ -762,6 +797,27 @@ namespace ThermoContact
                  "one of them: a number for each contact, or the expression "
                  "for all");
       check_hold_of_row(scene);
+      for (const auto &position : parameters.probe_positions())
+        {
+          const double                    x = position[0];
+          std::vector<std::string>        spans;
+          bool                            is_in_rod = false;
+          for (const RowBody &body : row.bodies)
+            if (body.n_cells > 0)
+              {
+                const double rounding =
+                  Tolerances::rounding_of_data * row.length();
+                is_in_rod = is_in_rod || (x >= body.begin - rounding &&
+                                          x <= body.end + rounding);
+                spans.push_back(
+                  text(significant(body.begin, 6), " to ", significant(body.end, 6)));
+              }
+          if (!is_in_rod)
+            refuse("Output/Probes",
+                   parameters.output.probes,
+                   "x in a rod, gaps counted: " + join_words(spans),
+                   "a place in one of them");
+        }
     }
 
 
@@ -924,6 +980,33 @@ namespace ThermoContact
         .text("time", 2. * dealii::numbers::PI * std::sqrt(mass * compliance)),
       ": steps follow them, and can be many more than the forecast; "
       "remedy: Contact/Massless nodes = automatic");
+  }
+
+
+
+  std::string
+  resolution_warning(const Scene &scene)
+  {
+    const Parameters   &parameters = scene.parameters;
+    const auto          size       = parameters.time.step_size;
+    const QuantityUnits units(parameters);
+    if (!scene.row.is_given() || !size)
+      return "";
+    std::vector<std::string> unresolved;
+    for (const MassContact &contact : mass_contacts(parameters))
+      if (contact.time < Tolerances::steps_of_contact * *size)
+        unresolved.push_back(contact.name + " (" +
+                             units.text("time", contact.time) + ")");
+    return unresolved.empty() ?
+             "" :
+             text("Time/Step size = ",
+                  units.text("time", *size),
+                  ": forces of contacts with a mass take about the time in "
+                  "brackets, which steps do not resolve, ",
+                  join_words(unresolved),
+                  ": peaks, durations, velocities and impulses there are of "
+                  "the steps; remedy: more Mesh/Cells, or a smaller Time/Step "
+                  "size of masses alone");
   }
 
 

@@ -585,6 +585,19 @@ namespace ThermoContact
 
   namespace
   {
+    /** Largest distance of nodes in the rods of a row. */
+    double
+    largest_spacing(const RowParameters &row, const unsigned int degree)
+    {
+      double largest = 0.;
+      for (const BodyParameters &body : row.bodies)
+        if (!body.is_mass())
+          largest = std::max(largest, body.length / (body.cells * degree));
+      return largest;
+    }
+
+
+
     /** The scheme and the cells of a row of bodies. */
     SchemeChoice
     choose_scheme_of_row(const Parameters &written)
@@ -634,6 +647,11 @@ namespace ThermoContact
             {"Bodies/" + body.name + "/Cells", text(body.cells)});
       mesh.cells       = resolve_row(parameters).cells.size();
       mesh.refinements = 0;
+      choice.has_unresolved_fronts =
+        !is_box && has_waves &&
+        length_of_diffusion(written.model) <
+          Tolerances::nodes_of_front *
+            largest_spacing(parameters.row, mesh.degree);
       if (is_box && !parameters.time.step_size && has_waves)
         if (const double passage = passage_of_row_cell(parameters);
             passage > 0.)

@@ -114,7 +114,15 @@ namespace ThermoContact
                     {"Initial values/Temperature",
                      "Initial values/Displacement",
                      "Initial values/Velocity"},
-                    "section Bodies has them");
+                    "Bodies = a row, which has them");
+      for (const PairParameters &pair : row.pairs)
+        {
+          const std::string section = "Contacts/" + pair.name + "/";
+          for (const char *name : {"Gap", "Heat exchange"})
+            unused.add_if(pair.is_bonded(),
+                          {section + name},
+                          section + "Condition = bonded");
+        }
       for (const BodyParameters &body : row.bodies)
         {
           const std::string section = "Bodies/" + body.name + "/";

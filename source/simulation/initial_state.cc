@@ -85,7 +85,9 @@ namespace ThermoContact
         return;
       const QuantityUnits units(body.scene.parameters);
       warnings.push_back(
-        text("Initial values/Temperature differs by ",
+        text(body.scene.row.is_given() ? "Bodies: the initial temperature" :
+                                         "Initial values/Temperature",
+             " differs by ",
              units.text("temperature difference",
                         mismatch_of_fixed_end(body, state)),
              " from theta_A = ",
@@ -209,6 +211,14 @@ namespace ThermoContact
           const unsigned int deepest =
             std::max_element(penetration.begin(), penetration.end()) -
             penetration.begin();
+          const std::string depth = units.text("length", penetration[deepest]);
+          if (penetration[deepest] > 0. && scene.row.is_given())
+            throw InputError(
+              "Contacts: " + scene.row.contact_names()[deepest] +
+              " overlap by " + depth +
+              " at the start, and are rigid\n  remedy:  a larger gap there, "
+              "another Displacement of a body, or Contact/Condition = normal "
+              "compliance");
           if (penetration[deepest] > 0.)
             throw InputError(
               entry + "initial displacement " +
@@ -256,6 +266,17 @@ namespace ThermoContact
                                     state.displacement,
                                     displacement);
       const QuantityUnits units(body.scene.parameters);
+      if (body.scene.row.is_given())
+        {
+          for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+            if (state.contact_pressure[i] != 0.)
+              warnings.push_back(
+                text("Contacts: ",
+                     body.scene.row.contact_names()[i],
+                     " press on each other at the start with ",
+                     units.text("stress", state.contact_pressure[i])));
+          return;
+        }
       warnings.push_back(text(
         entry_of_gap(body.scene, false),
         ": ",

@@ -22,18 +22,32 @@ namespace ThermoContact
         const auto  place_at = [&](const double x) {
           return Place<dim>{geometry.on_axis(x), geometry.on_axis(x)};
         };
+        std::vector<Place<dim>> places;
+        if (!row.is_given())
+          places = {place_at(0.5)};
+        else if (row.middle())
+          places = {place_at(*row.middle())};
         on_axis = std::make_unique<PointValues<dim>>(body.scene,
                                                      body.discretization,
-                                                     std::vector<Place<dim>>{
-                                                       place_at(
-                                                         row.is_given() ?
-                                                           row.middle() :
-                                                           0.5)});
+                                                     places);
+        if (body.scene.parameters.boundary.right.is_clamped())
+          at_right_end = std::make_unique<PointValues<dim>>(
+            body.scene,
+            body.discretization,
+            std::vector<Place<dim>>{place_at(
+              row.length() -
+              // strains of linear cells are those of their middles
+              (body.scene.has_midpoint_mass ?
+                 0.5 * (row.is_given() ?
+                          row.cells.back().size :
+                          body.scene.parameters.mesh.contact_spacing()) :
+                 0.))});
       }
     if (!body.scene.fields.has_temperature)
       return;
     Vector ones(mean_weights);
     ones = 1.;
+    body.discretization.set_zero_in_gaps(Field::temperature, ones);
     body.equations.heat_mass.vmult(mean_weights, ones);
     mean_weights /= ones * mean_weights;
     if (!body.scene.heat.has_lateral_exchange())
@@ -95,13 +109,17 @@ namespace ThermoContact
           Field::displacement);
         record.displacement_end = state.displacement.begin()[last];
         record.velocity_end     = state.velocity.begin()[last];
+        const BodyRow &row      = body.scene.row;
+        const auto    &right    = body.scene.parameters.boundary.right;
+        if (right.is_clamped())
+          record.velocity_end = 0.;
         // where nothing presses on a rod its nodes may alternate, (C6.13)
-        const BodyRow &row = body.scene.row;
-        if (body.scene.has_midpoint_mass && !row.meets_obstacle &&
-            row.bodies.back().n_cells > 0)
+        else if (body.scene.has_midpoint_mass && !row.meets_obstacle &&
+                 row.bodies.back().n_cells > 0)
           record.velocity_end =
             0.5 * (record.velocity_end + state.velocity.begin()[last - 1]);
-        record.stress_end       = nan;
+        if (!at_right_end)
+          record.stress_end = nan;
         double largest          = 0.;
         for (const double p : state.contact_pressure)
           if (std::abs(p) > std::abs(largest))
@@ -119,9 +137,27 @@ namespace ThermoContact
                        state.exchange_coefficient[i],
                      contact_values[i],
                      body.scene.heat.obstacle_temperature);
-        record.heat_flux_end   = record.contacts.back().heat_flux;
         record.temperature_end = state.temperature.begin()
           [body.discretization.entry_of_right_end(Field::temperature)];
+        const SceneHeat &heat    = body.scene.heat;
+        double           warming = 0.;
+        if (const Function<dim> *const of = body.data.obstacle_warming.get())
+          warming = of->value(
+            body.discretization.geometry().on_axis(body.scene.row.length()));
+        const double outside = heat.obstacle_temperature + warming;
+        if (body.scene.row.meets_obstacle && !heat.right_temperature)
+          record.contacts.back().heat_flux -=
+            (heat.exchange->is_constant() ?
+               heat.linear_coefficient() :
+               state.exchange_coefficient.back()) *
+            warming;
+        record.heat_flux_end =
+          heat.right_temperature ? nan :
+          heat.exchange->is_constant() ?
+                                   heat.linear_coefficient() *
+                                     (record.temperature_end - outside) :
+          body.scene.row.meets_obstacle ? record.contacts.back().heat_flux :
+                                          0.;
       }
   }
 
@@ -189,7 +225,12 @@ namespace ThermoContact
     if (dim > 1)
       measure_face(state, record);
 
-    record.displacement_mid = on_axis->evaluate_axial(state.displacement)[0];
+    const std::vector<double> &middle =
+      on_axis->evaluate_axial(state.displacement);
+    record.displacement_mid = middle.empty() ? nan : middle[0];
+    if (at_right_end) // the stress that holds it
+      record.stress_end =
+        at_right_end->evaluate(state)[PointValues<dim>::stress];
   }
 
 
@@ -238,7 +279,9 @@ namespace ThermoContact
         contact_values[i] -=
           state.exchange_coefficient[i] *
           warming->value(body.contact_end().nodes()[i].position);
-    record.heat_flux_end    = body.contact_end().mean(contact_values);
+    record.heat_flux_end = body.scene.heat.right_temperature ?
+                             nan : // from the state alone it is not known
+                             body.contact_end().mean(contact_values);
     record.temperature_mean = mean_weights * state.temperature;
     if (body.scene.heat.has_lateral_exchange())
       record.lateral_heat_flux =

@@ -117,6 +117,7 @@ namespace ThermoContact
     history_.warn(dispersion_warning(scene_));
     history_.warn(oscillation_warning(scene_));
     history_.warn(impact_warning(scene_));
+    history_.warn(resolution_warning(scene_));
     if (!scene_.fields.has_displacement)
       record.contact_impulse = record.contact_force; // there is none
     record.energy_terms = body_.energy.energy(state_);

@@ -332,9 +332,10 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Discretization<dim>::set_zero_in_gaps(State &state) const
+  Discretization<dim>::set_zero_in_gaps(const Field::Block field,
+                                        Vector            &vector) const
   {
-    if (dim > 1 || !row_.is_given())
+    if (dim > 1 || !row_.is_given() || !has_field(field))
       return;
     const unsigned int first_inner = 2;
     std::vector<types::global_dof_index> dofs(finite_element_.dofs_per_cell);
@@ -342,22 +343,22 @@ namespace ThermoContact
       if (is_gap(cell->active_cell_index()))
         {
           cell->get_dof_indices(dofs);
-          for (const Field::Block field : all_fields)
-            for (unsigned int i = first_inner;
-                 has_field(field) && i <= degree();
-                 ++i)
-              {
-                const auto entry =
-                  dofs[finite_element_.component_to_system_index(
-                    first_component(field), i)] -
-                  first_dof(field);
-                if (field == Field::temperature)
-                  state.temperature.begin()[entry] = 0.;
-                else
-                  state.displacement.begin()[entry] =
-                    state.velocity.begin()[entry] = 0.;
-              }
+          for (unsigned int i = first_inner; i <= degree(); ++i)
+            vector.begin()[dofs[finite_element_.component_to_system_index(
+                             first_component(field), i)] -
+                           first_dof(field)] = 0.;
         }
+  }
+
+
+
+  template <int dim>
+  void
+  Discretization<dim>::set_zero_in_gaps(State &state) const
+  {
+    set_zero_in_gaps(Field::temperature, state.temperature);
+    set_zero_in_gaps(Field::displacement, state.displacement);
+    set_zero_in_gaps(Field::displacement, state.velocity);
   }
 
 

@@ -561,10 +561,15 @@ namespace ThermoContact
                       exchange.matrix.scatter_matrix_to(exchange.dofs,
                                                         exchange.dofs,
                                                         cell_matrix);
+                      // along a rod it is per volume
+                      const double section =
+                        is_lateral && scene.row.is_given() ?
+                          scene.row.cells[cell->active_cell_index()].section :
+                          1.;
                       for (const Kind kind : {conduction, heat_exchange})
-                        add(kind, cell, cell_matrix);
+                        add(kind, cell, cell_matrix, section);
                       if (is_lateral)
-                        add(lateral_exchange, cell, cell_matrix);
+                        add(lateral_exchange, cell, cell_matrix, section);
                     });
   }
 

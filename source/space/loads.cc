@@ -46,6 +46,11 @@ namespace ThermoContact
     unconstrained.close();
     if (!scene.fields.has_temperature)
       return;
+    const auto section_of = [&](const auto &cell) {
+      return scene.row.is_given() ?
+               scene.row.cells[cell->active_cell_index()].section :
+               1.;
+    };
     integrate_face(contact_boundary_id,
                    Field::temperature,
                    Functions::ConstantFunction<dim>(
@@ -60,16 +65,18 @@ namespace ThermoContact
     if (scene.heat.has_lateral_exchange())
       for (const auto &cell :
            discretization.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
+        if (cell->is_locally_owned() &&
+            !discretization.is_gap(cell->active_cell_index()))
           faces.visit(cell,
                       [&](const CellMatrix &exchange, const bool is_lateral) {
-                        cell_load = 0.;
+                        cell_load            = 0.;
+                        const double section = section_of(cell);
                         for (unsigned int i = 0; i < exchange.dofs.size(); ++i)
                           for (unsigned int j = 0;
                                is_lateral && j < exchange.dofs.size();
                                ++j)
                             cell_load(exchange.dofs[i]) +=
-                              scene.heat.ambient_temperature *
+                              section * scene.heat.ambient_temperature *
                               exchange.matrix(i, j);
                         distribute(cell);
                       });

@@ -24,6 +24,17 @@ namespace ThermoContact
 
 
 
+  bool
+  BoxIntegrator::Contact::has_rods_with_waves() const
+  {
+    return !is_of_masses() &&
+           std::all_of(sides.begin(), sides.end(), [](const ContactSide &side) {
+             return side.is_mass() || side.has_waves();
+           });
+  }
+
+
+
   template <typename OfSide>
   double
   BoxIntegrator::Contact::sum(const OfSide &of_side) const
@@ -827,11 +838,15 @@ namespace ThermoContact
   {
     constexpr unsigned int n_cells_seen = 3;
     const Contact         &contact      = contacts[c];
-    if (!body.law().is_active() || !contact.has_waves())
+    if (!body.law().is_active() || !contact.has_rods_with_waves())
       return {};
     for (const ContactSide &side : contact.sides)
-      if (side.n_cells < n_cells_seen)
+      if (!side.is_mass() && side.n_cells < n_cells_seen)
         return {};
+    // a mass goes on as it is
+    const auto mass_velocity = [&](const ContactSide &side) {
+      return side.value(state.velocity);
+    };
     const auto sum_of_sides = [&](const auto &of_side) {
       double sum = of_side(0U);
       for (unsigned int i = 1; i < contact.sides.size(); ++i)
@@ -847,11 +862,15 @@ namespace ThermoContact
     // changes by loads on the way from the middle of the last cell
     const double change =
       free - sum_of_sides([&](const unsigned int i) {
-        return contact.arriving(i, contact.sides[i].values_in(state, 0));
+        const ContactSide &of = contact.sides[i];
+        return of.is_mass() ? mass_velocity(of) :
+                              contact.arriving(i, of.values_in(state, 0));
       });
     // waves on their way back show the waves that came
     const auto came = [&](const unsigned int cell) {
       return side * (sum_of_sides([&](const unsigned int i) {
+                       if (contact.sides[i].is_mass())
+                         return 0. - mass_velocity(contact.sides[i]);
                        const CellValues values =
                          contact.sides[i].values_in(state, cell);
                        return contact.arriving(i, values) -
@@ -862,6 +881,8 @@ namespace ThermoContact
     const auto comes = [&](const unsigned int cell) {
       return side *
              (sum_of_sides([&](const unsigned int i) {
+                if (contact.sides[i].is_mass())
+                  return mass_velocity(contact.sides[i]);
                 return contact.arriving(
                   i, later_values_in(contact.sides[i], state, path.size, cell));
               }) -
@@ -926,16 +947,23 @@ namespace ThermoContact
       double sum = 0.;
       for (unsigned int i = 0; i < contact.sides.size(); ++i)
         {
-          const ContactSide &of   = contact.sides[i];
-          CellValues         last = of.values_in(new_state, 0);
+          const ContactSide &of = contact.sides[i];
+          if (of.is_mass())
+            {
+              sum += of.value(new_state.velocity);
+              continue;
+            }
+          CellValues last = of.values_in(new_state, 0);
           last.strain += of.viscosity * of.difference(rates.velocity, 0);
           sum += contact.arriving(i, last);
         }
       return sum;
     };
+    // behind a front each rod has the velocity of its waves, a mass its own
     const double leaving =
-      has_waves ? arriving() - rate :
-                  end.end_velocity - (side > 0 ? obstacle.gap_rate[c] : 0.);
+      contact.has_rods_with_waves() ?
+        arriving() - rate :
+        end.end_velocity - (side > 0 ? obstacle.gap_rate[c] : 0.);
     if (end.masses)
       return at(end.masses->change_time / path.size, 0.);
     const double velocity = velocity_of(c, state);
@@ -955,8 +983,8 @@ namespace ThermoContact
       return at_surface(end.free_velocity - rate);
     if (!law.is_rigid() && end.contact.weight == 0.)
       return at_surface(end.contact.velocity - rate);
-    if (end.releases.now)
-      return at(end.releases.now->part, leaving);
+    if (const auto &now = end.releases.now)
+      return at(now->part, has_waves ? leaving : now->side * now->after);
 
     // pressures that stop the end before this step, and at its end
     const double stopped  = state.contact_pressure[c];

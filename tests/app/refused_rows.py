@@ -35,6 +35,8 @@ SCENES = [
     ("Contact/Massless nodes", TWO + SDIRK, "Contact/Massless nodes=on", "Contact/Massless nodes=off"),
     ("Contact/Rear gap", TWO, "Contact/Rear gap=0.1", "Contact/Rear gap=none"),
     ("Contact/Gap", TWO, "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1"),
+    # an overlap of rigid bodies
+    ("Contacts", TWO + RIGID, "Contacts/a b/Gap=-0.02", "Contacts/a b/Gap=0.02"),
     # two contacts of rigid bodies with inertia; one is located
     ("Time/Scheme", TWO + RIGID, "Time/Scheme=sdirk4", "Time/Scheme=box", SDIRK + ALONE,
      SDIRK + ("Contact/Condition=normal compliance",)),
@@ -48,6 +50,15 @@ SCENES = [
       for entry in ("Spring", "Dashpot", "Mass")],
     ("Boundary/right/Mass", MOVING + rods("a") + mass("b") + SDIRK + ALONE, "Boundary/right/Mass=1",
      "Boundary/right/Mass=0"),
+    ("Boundary/left/Temperature", FREE + mass("a") + rods("b"), "Boundary/left/Temperature=5",
+     "Boundary/left/Temperature=none"),
+    *[(f"Boundary/left/{entry}", FREE + mass("a") + rods("b") + ("Boundary/left/Temperature=none",),
+       f"Boundary/left/{entry}=1", f"Boundary/left/{entry}=0") for entry in ("Heat exchange", "Heat flux")],
+    ("Boundary/right/Support", MOVING + rods("a") + mass("b"), "Boundary/right/Support=clamped",
+     "Boundary/right/Support=free"),
+    ("Boundary/right/Temperature", rods("a") + mass("b") + ALONE, "Boundary/right/Temperature=1",
+     "Boundary/right/Temperature=none"),
+    ("Output/Probes", TWO + ("Contact/Gap=0.25",), "Output/Probes=0.6", "Output/Probes=0.8", "Output/Probes=1.25"),
     ("Bodies/a/Kind", STATIC + rods("b") + ("Contacts/b a/Gap=0",) + ALONE, "Bodies/a/Kind=mass",
      ("Bodies/a/Kind=mass", "Model/Inertia=1")),
     # held by nothing

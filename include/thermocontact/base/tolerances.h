@@ -44,6 +44,10 @@ namespace ThermoContact
      */
     inline constexpr double rounding_of_fronts = 1e-9;
 
+    /** Steps in the time that the force of a contact takes, at least: then
+     * peaks are right to a few percent. */
+    inline constexpr double steps_of_contact = 10.;
+
     /** Of products that a user writes, of projections, of coordinates. */
     inline constexpr double rounding_of_data = 1e-12;
 

@@ -79,16 +79,6 @@ namespace ThermoContact
       return !bodies.empty();
     }
 
-    /** Of all rods, without gaps. */
-    double
-    length() const
-    {
-      double sum = 0.;
-      for (const BodyParameters &body : bodies)
-        sum += body.is_mass() ? 0. : body.length;
-      return sum;
-    }
-
     /** Declares the sections that stand for those of any name. */
     static void
     add_templates(ParameterHandler &prm);

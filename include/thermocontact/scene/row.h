@@ -95,8 +95,9 @@ namespace ThermoContact
     std::vector<std::string>
     contact_names() const;
 
-    /** A place in a body, for the displacement in the middle. */
-    double
+    /** The place in a rod that is nearest to the middle; none: there are masses
+     * alone. */
+    std::optional<double>
     middle() const;
 
     /** The first body is a mass, behind a vertex that means nothing. */
@@ -139,9 +140,25 @@ namespace ThermoContact
   double
   passage_of_rod(const Parameters &parameters, const BodyParameters &rod);
 
+  /** A contact with a mass, and the time that its force takes. */
+  struct MassContact
+  {
+    std::string name;
+    double      time; ///< $\sqrt{m\varepsilon}$, or $m/Z$ on a rigid rod
+  };
+
+  /**
+   * The contacts of a row with masses. Of a law that is not linear
+   * $\varepsilon$ is its tangent under the energy that the mass has at the
+   * start; rigid masses that meet have none, (M10.6).
+   */
+  std::vector<MassContact>
+  mass_contacts(const Parameters &parameters);
+
   /**
    * The time in which waves pass the cells of all rods, or the mean of these
-   * times where they differ; of masses alone a thousandth of the run.
+   * times where they differ; of masses alone a thousandth of the run, or a
+   * fiftieth of the time of a contact.
    */
   double
   passage_of_row_cell(const Parameters &parameters);

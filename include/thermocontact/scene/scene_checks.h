@@ -95,6 +95,13 @@ namespace ThermoContact
    * stops without rebound and loses its energy; or nothing. */
   std::string
   impact_warning(const Scene &scene);
+
+  /**
+   * A warning of contacts with masses whose forces pass in a few steps, or
+   * nothing: those are then of the steps.
+   */
+  std::string
+  resolution_warning(const Scene &scene);
 } // namespace ThermoContact
 
 #endif

@@ -178,6 +178,8 @@ namespace ThermoContact
      */
     std::unique_ptr<PointValues<dim>> on_axis;
 
+    std::unique_ptr<PointValues<dim>> at_right_end; ///< if it is clamped
+
     Vector               mean_weights;
     Vector               lateral_weights;  ///< of the temperature in the loss
     double               lateral_sum = 0.; ///< their sum

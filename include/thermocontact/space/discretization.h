@@ -226,6 +226,10 @@ namespace ThermoContact
     void
     set_zero_in_gaps(State &state) const;
 
+    /** The same of a vector of one field. */
+    void
+    set_zero_in_gaps(const Field::Block field, Vector &vector) const;
+
     /** Its end at the obstacle, or where the bodies of a row can meet. */
     const ContactEnd<dim> &
     contact_end() const

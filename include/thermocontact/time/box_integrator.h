@@ -69,6 +69,10 @@ namespace ThermoContact
                            });
       }
 
+      /** The same of the rods alone, of which there is one. */
+      bool
+      has_rods_with_waves() const;
+
       /** The rods pass on waves, which viscosity does not smooth. */
       bool
       has_waves() const;
