@@ -35,20 +35,29 @@ namespace ThermoContact
     , response(response)
     , laws(laws)
     , position(n)
-  {}
+    , conditions(n)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        conditions[i].surroundings = response.surroundings[i];
+        conditions[i].time         = response.time;
+      }
+  }
 
 
 
   double
-  coefficient_of_node(const HeatExchange &exchange,
-                      const NodeLaw      &law,
-                      const double        position,
-                      const double        pressure)
+  coefficient_of_node(const HeatExchange       &exchange,
+                      const NodeLaw            &law,
+                      const double              position,
+                      const double              pressure,
+                      const ExchangeConditions &there)
   {
     return exchange.coefficient(law.is_held || pressure != 0. ?
                                   0. :
                                   law.penetration(position),
-                                law.push(pressure));
+                                law.push(pressure),
+                                there);
   }
 
 
@@ -96,7 +105,8 @@ namespace ThermoContact
       driving[i] -= cooling[i];
     flux = product(conductance, driving);
 
-    const Values by_flux = product(response.penetration_by_flux, flux);
+    const Values by_flux   = product(response.penetration_by_flux, flux);
+    const Values by_losses = product(response.temperature_by_flux, flux);
     const Values by_contact =
       product(response.penetration_by_pressure, pressure);
     Values result(n);
@@ -104,8 +114,10 @@ namespace ThermoContact
       {
         position[i] = laws[i].position(
           response.free[i] - x_per_displacement * (by_flux[i] + by_contact[i]));
-        result[i] =
-          coefficient_of_node(exchange, laws[i], position[i], pressure[i]);
+        conditions[i].temperature =
+          conditions[i].surroundings + driving[i] - by_losses[i];
+        result[i] = coefficient_of_node(
+          exchange, laws[i], position[i], pressure[i], conditions[i]);
       }
     return result;
   }
@@ -134,30 +146,61 @@ namespace ThermoContact
     result *= 1. / response.x_per_displacement;
     result.add(1., shrinkage); // of the gaps in front
 
-    double length = 0., load = 0.;
+    const bool         by_heat = exchange.dependence().on_temperature;
+    FullMatrix<double> warming(by_heat ? n : 0); // of the nodes
+    if (by_heat)
+      {
+        FullMatrix<double> fluxes =
+          multiply(multiply(conductance, response.temperature_by_pressure),
+                   by_pressure);
+        fluxes.add(-1., flux_alone);
+        warming = multiply(response.temperature_by_flux, fluxes);
+        warming.add(-1.,
+                    multiply(response.temperature_by_pressure, by_pressure));
+      }
+
+    double length = 0., load = 0., warmest = 0.;
     for (unsigned int i = 0; i < n; ++i)
       {
-        length = std::max(length, std::abs(position[i]));
-        load   = std::max(load, laws[i].push(pressure[i]));
+        length  = std::max(length, std::abs(position[i]));
+        load    = std::max(load, laws[i].push(pressure[i]));
+        warmest = std::max({warmest,
+                            std::abs(conditions[i].temperature),
+                            std::abs(conditions[i].surroundings)});
       }
+    const double by_length  = Tolerances::difference_step * length;
+    const double by_load    = Tolerances::difference_step * load;
+    const double by_warming = Tolerances::difference_step * warmest;
     for (unsigned int i = 0; i < n; ++i)
       {
         // away from the contact, where k may jump
-        const bool   closed = is_closed(i);
-        const double h = Tolerances::difference_step * (closed ? load : length);
-        const double s = closed ? 0. : laws[i].penetration(position[i]);
-        const double p = laws[i].push(pressure[i]);
-        const double inwards = closed ? laws[i].push_slope(pressure[i]) :
-                                        laws[i].penetration_slope(position[i]);
-        const double slope_of_k =
-          h == 0. ?
+        const bool         closed = is_closed(i);
+        const double       h      = closed ? by_load : by_length;
+        const double       s = closed ? 0. : laws[i].penetration(position[i]);
+        const double       p = laws[i].push(pressure[i]);
+        const double       inwards = closed ? laws[i].push_slope(pressure[i]) :
+                                              laws[i].penetration_slope(position[i]);
+        const double       k       = exchange.coefficient(s, p, conditions[i]);
+        const double       slope_of_k = h == 0. ?
+                                          0. :
+                                          (exchange.coefficient(closed ? s : s - h,
+                                                          closed ? p + h : p,
+                                                          conditions[i]) -
+                                     k) /
+                                      h;
+        ExchangeConditions warmer     = conditions[i];
+        warmer.temperature += by_warming;
+        const double slope_of_heat =
+          !by_heat || by_warming == 0. ?
             0. :
-            (exchange.coefficient(closed ? s : s - h, closed ? p + h : p) -
-             exchange.coefficient(s, p)) /
-              h;
+            (exchange.coefficient(s, p, warmer) - k) / by_warming;
         for (unsigned int j = 0; j < n; ++j)
-          result(i, j) =
-            inwards * slope_of_k * (closed ? by_pressure(i, j) : result(i, j));
+          {
+            result(i, j) = inwards * slope_of_k *
+                           (closed ? by_pressure(i, j) : result(i, j));
+            if (by_heat)
+              result(i, j) += slope_of_heat * warming(i, j);
+          }
       }
     return result;
   }

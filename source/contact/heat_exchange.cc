@@ -11,38 +11,52 @@ namespace ThermoContact
 {
   HeatExchange::HeatExchange(const double coefficient)
     : description_(text("k = ", coefficient))
-    , is_constant_(true)
-    , value([coefficient](const double, const double) { return coefficient; })
+    , law([coefficient](const double,
+                        const double,
+                        const ExchangeConditions &) { return coefficient; })
   {}
 
 
 
   HeatExchange::HeatExchange(const std::string &description,
-                             const std::function<double(double, double)> &value)
+                             const Dependence  &dependence,
+                             const Law         &law)
     : description_(description)
-    , is_constant_(false)
-    , value(value)
+    , dependence_(dependence)
+    , law(law)
   {}
 
 
 
   double
-  HeatExchange::coefficient(const double penetration,
-                            const double pressure) const
+  HeatExchange::coefficient(const double              penetration,
+                            const double              pressure,
+                            const ExchangeConditions &there) const
   {
     const double gap = std::max(0., -penetration);
-    const double k   = value(gap, pressure);
+    const double k   = law(gap, pressure, there);
     if (!(k >= 0. && std::isfinite(k)))
-      throw ComputationError(text("Boundary/right/Heat exchange: ",
-                                  description(),
-                                  " is ",
-                                  k,
-                                  " at gap = ",
-                                  gap,
-                                  ", pressure = ",
-                                  pressure,
-                                  "\n  allowed: k >= 0, finite for all gaps "
-                                  "and pressures that occur"));
+      {
+        std::string place;
+        const auto  add =
+          [&place](const bool counts, const char *name, const double value) {
+            if (counts)
+              place += (place.empty() ? "" : ", ") + text(name, " = ", value);
+          };
+        add(dependence_.on_contact, "gap", gap);
+        add(dependence_.on_contact, "pressure", pressure);
+        add(dependence_.on_temperature, "theta", there.temperature);
+        add(dependence_.on_temperature, "theta_obs", there.surroundings);
+        add(dependence_.on_time, "t", there.time);
+        throw ComputationError(text("Boundary/right/Heat exchange: ",
+                                    description(),
+                                    " is ",
+                                    k,
+                                    " at ",
+                                    place,
+                                    "\n  allowed: k >= 0, finite for all "
+                                    "values that occur"));
+      }
     return k;
   }
 

@@ -24,6 +24,8 @@ namespace ThermoContact
         return "none: the fixed end is heated or moved";
       if (scene.sources.has_moving_obstacle)
         return "none: the obstacle moves";
+      if (scene.sources.has_driven_exchange)
+        return "none: the heat exchange varies in time";
       if (scene.sources.any())
         return "no closed form with sources";
       if (scene.heat.right_temperature ||
@@ -90,9 +92,11 @@ namespace ThermoContact
       const NodeLaw     law =
         make_node_law(scene.contact, scene.contact.gap, position);
       const double reach = law.penetration(position);
-      const double k =
-        scene.heat.exchange->coefficient(state.in_contact ? 0. : reach,
-                                         std::abs(state.contact_force));
+      const double k     = scene.heat.exchange->coefficient(
+        state.in_contact ? 0. : reach,
+        std::abs(state.contact_force),
+        {RestProfile(scene.heat.surroundings(), drop).end(),
+         scene.heat.obstacle_temperature});
       return drop - k / (1. + k);
     }
 

@@ -134,19 +134,21 @@ namespace ThermoContact
       entry("Heat exchange",
             right.heat_exchange,
             right.exchange_expression,
-            NumberOrText::number_or_expression("gap, pressure", false))
+            NumberOrText::number_or_expression("gap, pressure, theta, "
+                                               "theta_obs, t",
+                                               false))
         .means("Heat exchange coefficient k >= 0 of the contact end: -d "
                "theta/dn = k (theta - theta_obs); an expression in the local "
                "gap >= 0 and pressure >= 0, e.g. if(pressure > 0, 10 + "
-               "5*pressure, 0.1/(0.1 + gap)).",
+               "5*pressure, 0.1/(0.1 + gap)), in the temperatures theta of the "
+               "end and theta_obs, and in t.",
                "heat exchange");
       entry("Surroundings",
             right.surroundings,
             right.surroundings_expression,
             NumberOrText::number_or_expression("y, z, t", true))
         .means("Temperature theta_obs of the obstacle; an expression in t, and "
-               "in y, z for Dimension > 1, e.g. 5*sin(2*pi*t), if the heat "
-               "exchange is a number.",
+               "in y, z for Dimension > 1, e.g. 5*sin(2*pi*t).",
                "temperature");
       entry("Heat flux", right.heat_flux, load)
         .means("Heat flux h into the contact end: -d theta/dn = k (theta - "

@@ -31,6 +31,8 @@ namespace ThermoContact
       {"z", "length"},
       {"gap", "length"},
       {"pressure", "stress"},
+      {"theta", "temperature"},
+      {"theta_obs", "temperature"},
       {"theta_A", "temperature"}};
 
 
@@ -66,11 +68,24 @@ namespace ThermoContact
 
 
 
-    /** The default law without an assignment, none for one that there is not.
-     */
-    const ContactLawKind &
-    law_of(const std::vector<Assignment> &assignments)
+    /** The right end meets the obstacle, which is the default. */
+    bool
+    meets_obstacle(const std::vector<Assignment> &assignments)
     {
+      const Assignment *const support =
+        last_assignment(assignments, "Boundary/right/Support");
+      return support == nullptr || support->value == "contact";
+    }
+
+
+
+    /** The default law without an assignment, none for one that there is not,
+     * and where nothing can meet. */
+    const ContactLawKind &
+    law_of(const std::vector<Assignment> &assignments, const bool has_row)
+    {
+      if (!has_row && !meets_obstacle(assignments))
+        return contact_law(no_obstacle().name);
       const Assignment *const last =
         last_assignment(assignments, "Contact/Condition");
       for (const ContactLawKind &law : contact_laws())
@@ -178,7 +193,7 @@ namespace ThermoContact
                             return begins_with(assignment.path, "Bodies/");
                           }))
     , is_confined(dim > 1 || given("Rod/Lateral sides") == "confined")
-    , law(law_of(assignments))
+    , law(law_of(assignments, has_row))
   {
     check_complete();
     set_scales();
@@ -234,7 +249,9 @@ namespace ThermoContact
     need(has_temperature && has_displacement, "Rod/Linear expansion");
     need(has_temperature, "Boundary/left/Temperature");
     need(has_temperature, "Boundary/right/Heat exchange");
-    need(has_displacement && law.name != no_obstacle().name, "Contact/Gap");
+    need(has_displacement && law.name != no_obstacle().name &&
+           (has_row || meets_obstacle(assignments)),
+         "Contact/Gap");
     const bool has_stiffness =
       given("Contact/Stiffness").value_or("none") != "none";
     need(has_stiffness, "Contact/Stiffness", true);

@@ -27,20 +27,19 @@ namespace ThermoContact
     {
       std::vector<std::string> bodies;
       for (const BodyParameters &body : scene.parameters.row.bodies)
-        bodies.push_back(
-          body.name +
-          (body.is_mass() ?
-             " (mass " + units.text("mass", body.mass) + ")" :
-             text(" (rod of length ",
-                  units.text("position", body.length),
-                  ", ",
-                  body.cells,
-                  " cells)")));
-      return join_words(
-        {join_words(bodies),
-         text("degree ", scene.parameters.mesh.degree),
-         scene.fields.has_displacement && scene.has_free_end ? "x = 0: free" :
-                                                               ""});
+        bodies.push_back(body.name +
+                         (body.is_mass() ?
+                            " (mass " + units.text("mass", body.mass) + ")" :
+                            text(" (rod of length ",
+                                 units.text("position", body.length),
+                                 ", ",
+                                 body.cells,
+                                 " cells)")));
+      return join_words({join_words(bodies),
+                         text("degree ", scene.parameters.mesh.degree),
+                         scene.fields.has_displacement && scene.has_free_end ?
+                           "x = 0: free" :
+                           ""});
     }
 
 
@@ -354,7 +353,7 @@ namespace ThermoContact
              exchange.empty() ? heat.exchange->description() :
                                 "k = " + exchange,
              "theta_obs = " +
-               (scene.sources.has_varying_obstacle ?
+               (heat.obstacle_drive ?
                   as_written(
                     "Boundary/right/Surroundings",
                     scene.parameters.boundary.right.surroundings_expression) :

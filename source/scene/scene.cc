@@ -80,12 +80,10 @@ namespace ThermoContact
     /**
      * The heat exchange that Boundary/right/Heat exchange says.
      *
-     * @param largest_gap up to which an expression is checked
-     * @throw InputError if it cannot be read, or if it is negative or not
-     *   finite at a gap up to there or a pressure up to 1
+     * @throw InputError if it cannot be read
      */
     std::unique_ptr<const HeatExchange>
-    resolve_exchange(const Parameters &parameters, const double largest_gap)
+    resolve_exchange(const Parameters &parameters)
     {
       const auto expression =
         read_expression(parameters,
@@ -94,27 +92,52 @@ namespace ThermoContact
       if (!expression)
         return std::make_unique<const HeatExchange>(
           parameters.boundary.right.heat_exchange);
-      auto exchange = std::make_unique<const HeatExchange>(
+      return std::make_unique<const HeatExchange>(
         "k = " + expression->text(),
-        [law = *expression](const double gap, const double pressure) {
-          const double variables[] = {gap, pressure};
+        HeatExchange::Dependence{expression->depends_on("gap") ||
+                                   expression->depends_on("pressure"),
+                                 expression->depends_on("theta") ||
+                                   expression->depends_on("theta_obs"),
+                                 expression->depends_on("t")},
+        [law = *expression](const double              gap,
+                            const double              pressure,
+                            const ExchangeConditions &there) {
+          const double variables[] = {
+            gap, pressure, there.temperature, there.surroundings, there.time};
           return law.evaluate(variables);
         });
+    }
+
+
+
+    /**
+     * Looks at the exchange of an end that is as warm as what is around it.
+     *
+     * @param largest_gap up to which it is checked
+     * @throw InputError if it is negative or not finite at a gap up to there or
+     *   a pressure up to 1
+     */
+    void
+    check_sign_of_exchange(const SceneHeat &heat, const double largest_gap)
+    {
+      constexpr unsigned int n = 1000;
       try
         {
-          constexpr unsigned int n = 1000;
-          for (unsigned int i = 0; i <= n; ++i)
-            {
-              const double part = static_cast<double>(i) / n;
-              exchange->coefficient(-part * largest_gap, 0.);
-              exchange->coefficient(0., part);
-            }
+          for (const double temperature :
+               {heat.fixed_end_temperature, heat.obstacle_temperature})
+            for (unsigned int i = 0; i <= n; ++i)
+              {
+                const double             part = static_cast<double>(i) / n;
+                const ExchangeConditions there{temperature,
+                                               heat.obstacle_temperature};
+                heat.exchange->coefficient(-part * largest_gap, 0., there);
+                heat.exchange->coefficient(0., part, there);
+              }
         }
       catch (const ComputationError &error)
         {
           throw InputError(error.what());
         }
-      return exchange;
     }
 
 
@@ -128,8 +151,7 @@ namespace ThermoContact
       const double gap         = std::isnan(initial_gap) ? 0. : initial_gap;
       const double rear_gap    = parameters.contact.rear_gap.value_or(gap);
       SceneHeat    heat;
-      heat.exchange =
-        resolve_exchange(parameters, std::max({gap, rear_gap, 1.}));
+      heat.exchange                        = resolve_exchange(parameters);
       const BoundaryParameters::Left &left = boundary.left;
       heat.has_given_temperature           = left.has_temperature();
       heat.left_exchange = heat.has_given_temperature ? 0. : left.heat_exchange;
@@ -151,8 +173,12 @@ namespace ThermoContact
           TimeFunction(*heat.obstacle_drive, dealii::Point<3>(1., 0., 0.))
             .value(0.) :
           boundary.right.surroundings;
+      check_sign_of_exchange(heat, std::max({gap, rear_gap, 1.}));
       heat.reference_coefficient = // at the nearer obstacle
-        heat.exchange->coefficient(-std::min(gap, rear_gap), 0.);
+        heat.exchange->coefficient(-std::min(gap, rear_gap),
+                                   0.,
+                                   {heat.obstacle_temperature,
+                                    heat.obstacle_temperature});
       heat.lateral_exchange    = boundary.sides.heat_exchange;
       heat.ambient_temperature = boundary.sides.surroundings;
       return heat;
@@ -196,6 +222,8 @@ namespace ThermoContact
           acts(fields.has_temperature, parameters.boundary.left.heat_flux),
         fields.has_temperature && heat.linear_coefficient() > 0. &&
           heat.obstacle_drive != nullptr,
+        fields.has_temperature && !heat.exchange->is_constant() &&
+          (heat.obstacle_drive || heat.exchange->dependence().on_time),
         fields.has_temperature && heat.fixed_end_drive != nullptr,
         has_motion,
         has_obstacle && gap != nullptr && gap->depends_on("t")};
@@ -254,7 +282,7 @@ namespace ThermoContact
     std::unique_ptr<const ContactLaw>
     resolve_law(const Parameters  &parameters,
                 const SceneFields &fields,
-                const BodyRow         &row)
+                const BodyRow     &row)
     {
       const bool can_meet =
         fields.has_displacement &&
@@ -271,7 +299,7 @@ namespace ThermoContact
     resolve_contact(const Parameters       &parameters,
                     const Expression *const gap,
                     const SceneFields      &fields,
-                    const BodyRow              &row,
+                    const BodyRow          &row,
                     const Material         &material,
                     const Scheme           &scheme,
                     const bool              has_prescribed_start)
@@ -490,6 +518,7 @@ namespace ThermoContact
     add_if(scene.sources.has_left_heat_flux, "heat flux on the left");
     add_if(scene.sources.has_varying_obstacle,
            "varying temperature of the obstacle");
+    add_if(scene.sources.has_driven_exchange, "heat exchange in time");
     add_if(scene.sources.has_driven_temperature,
            "varying temperature of the fixed end");
     add_if(scene.sources.has_moving_end, "moving fixed end");

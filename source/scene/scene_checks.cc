@@ -225,27 +225,29 @@ namespace ThermoContact
 
 
 
-    /** An exchange that depends on the contact needs contact. */
+    /** An exchange that depends on the contact needs contact; in rows the sides
+     * of a contact have two temperatures. */
     void
     check_exchange(const Scene &scene)
     {
       const Parameters &parameters = scene.parameters;
       if (scene.heat.exchange->is_constant())
         return;
-      const Refusal exchange{"Boundary/right/Heat exchange",
+      const Refusal                   exchange{"Boundary/right/Heat exchange",
                              parameters.boundary.right.exchange_expression,
                              "a number"};
-      exchange.since(!scene.contact.law->is_active(),
+      const HeatExchange::Dependence &by = scene.heat.exchange->dependence();
+      exchange.since(by.on_contact && !scene.contact.law->is_active(),
                      scene.fields.has_displacement ?
                        "Contact/Condition = " + parameters.contact.condition :
                        "Model/Fields = " + parameters.model.fields,
                      "there is neither gap nor pressure");
-      const std::string &obstacle =
-        parameters.boundary.right.surroundings_expression;
-      Refusal{"Boundary/right/Surroundings", obstacle, "a number"}.since(
-        !obstacle.empty(),
-        "Boundary/right/Heat exchange is an expression",
-        "a number for one of them");
+      Refusal{"Boundary/right/Heat exchange",
+              parameters.boundary.right.exchange_expression,
+              "an expression in gap, pressure, t"}
+        .since(by.on_temperature && !scene.row.contacts.empty(),
+               "bodies of a row meet, and their temperatures are two",
+               "an exchange without theta and theta_obs");
       exchange.since(!scene.scheme.needs_constant_exchange.empty(),
                      name_of_scheme(scene),
                      take_default_scheme(scene.scheme.needs_constant_exchange));
@@ -732,16 +734,16 @@ namespace ThermoContact
         .since(row.begins_with_mass() && scene.fields.has_displacement &&
                  !scene.has_free_end,
                "the row begins with a mass",
-               "Boundary/left/Support = free, or a rod before it");      const BoundaryParameters::Left &left    = parameters.boundary.left;
-      const bool is_hot_mass = row.begins_with_mass() &&
-                               scene.fields.has_temperature;
+               "Boundary/left/Support = free, or a rod before it");
+      const BoundaryParameters::Left &left = parameters.boundary.left;
+      const bool                      is_hot_mass =
+        row.begins_with_mass() && scene.fields.has_temperature;
       const std::string before_mass =
         "a rod before the mass: nothing conducts heat into a first mass from "
         "the left";
       Refusal{"Boundary/left/Temperature",
-              left.temperature_expression.empty() ?
-                text(left.temperature) :
-                left.temperature_expression,
+              left.temperature_expression.empty() ? text(left.temperature) :
+                                                    left.temperature_expression,
               "none"}
         .since(is_hot_mass && left.has_temperature(),
                "the row begins with a mass",
@@ -766,9 +768,7 @@ namespace ThermoContact
         .since(ends_with_mass && scene.heat.right_temperature.has_value(),
                "the row ends with a mass",
                "Boundary/right/Temperature = none, or a rod behind the mass");
-      Refusal{"Boundary/left/Traction",
-              parameters.boundary.left.traction,
-              "0"}
+      Refusal{"Boundary/left/Traction", parameters.boundary.left.traction, "0"}
         .since(row.begins_with_mass() && scene.sources.has_left_traction,
                "the row begins with a mass",
                "Sources/Body force, which acts on masses, too");
@@ -799,9 +799,9 @@ namespace ThermoContact
       check_hold_of_row(scene);
       for (const auto &position : parameters.probe_positions())
         {
-          const double                    x = position[0];
-          std::vector<std::string>        spans;
-          bool                            is_in_rod = false;
+          const double             x = position[0];
+          std::vector<std::string> spans;
+          bool                     is_in_rod = false;
           for (const RowBody &body : row.bodies)
             if (body.n_cells > 0)
               {
@@ -809,8 +809,9 @@ namespace ThermoContact
                   Tolerances::rounding_of_data * row.length();
                 is_in_rod = is_in_rod || (x >= body.begin - rounding &&
                                           x <= body.end + rounding);
-                spans.push_back(
-                  text(significant(body.begin, 6), " to ", significant(body.end, 6)));
+                spans.push_back(text(significant(body.begin, 6),
+                                     " to ",
+                                     significant(body.end, 6)));
               }
           if (!is_in_rod)
             refuse("Output/Probes",

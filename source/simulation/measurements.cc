@@ -17,9 +17,9 @@ namespace ThermoContact
   {
     if (body.scene.fields.has_displacement)
       {
-        const auto &geometry = body.discretization.geometry();
-        const BodyRow  &row      = body.scene.row;
-        const auto  place_at = [&](const double x) {
+        const auto    &geometry = body.discretization.geometry();
+        const BodyRow &row      = body.scene.row;
+        const auto     place_at = [&](const double x) {
           return Place<dim>{geometry.on_axis(x), geometry.on_axis(x)};
         };
         std::vector<Place<dim>> places;
@@ -102,11 +102,11 @@ namespace ThermoContact
         get_contact_values(body, state, row_values);
         for (unsigned int i = 0; i < n; ++i)
           {
-            record.contacts[i].gap = 0. - row_values.front.penetration[i];
+            record.contacts[i].gap      = 0. - row_values.front.penetration[i];
             record.contacts[i].velocity = row_values.front.velocity[i];
           }
-        const unsigned int last = body.discretization.entry_of_right_end(
-          Field::displacement);
+        const unsigned int last =
+          body.discretization.entry_of_right_end(Field::displacement);
         record.displacement_end = state.displacement.begin()[last];
         record.velocity_end     = state.velocity.begin()[last];
         const BodyRow &row      = body.scene.row;
@@ -120,7 +120,7 @@ namespace ThermoContact
             0.5 * (record.velocity_end + state.velocity.begin()[last - 1]);
         if (!at_right_end)
           record.stress_end = nan;
-        double largest          = 0.;
+        double largest = 0.;
         for (const double p : state.contact_pressure)
           if (std::abs(p) > std::abs(largest))
             largest = p;
@@ -131,31 +131,23 @@ namespace ThermoContact
         end.get_values(Field::temperature, state.temperature, contact_values);
         for (unsigned int i = 0; i < n; ++i)
           record.contacts[i].heat_flux =
-            end.flux(i,
-                     body.scene.heat.exchange->is_constant() ?
-                       end.nodes()[i].own_exchange :
-                       state.exchange_coefficient[i],
-                     contact_values[i],
-                     body.scene.heat.obstacle_temperature);
-        record.temperature_end = state.temperature.begin()
-          [body.discretization.entry_of_right_end(Field::temperature)];
-        const SceneHeat &heat    = body.scene.heat;
-        double           warming = 0.;
-        if (const Function<dim> *const of = body.data.obstacle_warming.get())
-          warming = of->value(
-            body.discretization.geometry().on_axis(body.scene.row.length()));
-        const double outside = heat.obstacle_temperature + warming;
-        if (body.scene.row.meets_obstacle && !heat.right_temperature)
-          record.contacts.back().heat_flux -=
-            (heat.exchange->is_constant() ?
-               heat.linear_coefficient() :
-               state.exchange_coefficient.back()) *
-            warming;
+            body.surroundings.flux(i,
+                                   body.scene.heat.exchange->is_constant() ?
+                                     end.nodes()[i].own_exchange :
+                                     state.exchange_coefficient[i],
+                                   contact_values[i],
+                                   state.load_time);
+        record.temperature_end =
+          state.temperature.begin()[body.discretization.entry_of_right_end(
+            Field::temperature)];
+        const SceneHeat &heat = body.scene.heat;
         record.heat_flux_end =
-          heat.right_temperature ? nan :
+          heat.right_temperature ?
+            nan :
           heat.exchange->is_constant() ?
-                                   heat.linear_coefficient() *
-                                     (record.temperature_end - outside) :
+            heat.linear_coefficient() *
+              (record.temperature_end -
+               body.surroundings.of_obstacle(state.load_time)) :
           body.scene.row.meets_obstacle ? record.contacts.back().heat_flux :
                                           0.;
       }
@@ -269,18 +261,12 @@ namespace ThermoContact
                                   contact_values);
     record.temperature_end = body.contact_end().mean(contact_values);
     for (unsigned int i = 0; i < contact_values.size(); ++i)
-      contact_values[i] =
-        body.contact_end().flux(i,
-                                state.exchange_coefficient[i],
-                                contact_values[i],
-                                body.scene.heat.obstacle_temperature);
-    if (const Function<dim> *warming = body.data.obstacle_warming.get())
-      for (unsigned int i = 0; i < contact_values.size(); ++i)
-        contact_values[i] -=
-          state.exchange_coefficient[i] *
-          warming->value(body.contact_end().nodes()[i].position);
-    record.heat_flux_end = body.scene.heat.right_temperature ?
-                             nan : // from the state alone it is not known
+      contact_values[i] = body.surroundings.flux(i,
+                                                 state.exchange_coefficient[i],
+                                                 contact_values[i],
+                                                 state.load_time);
+    record.heat_flux_end    = body.scene.heat.right_temperature ?
+                                nan : // from the state alone it is not known
                              body.contact_end().mean(contact_values);
     record.temperature_mean = mean_weights * state.temperature;
     if (body.scene.heat.has_lateral_exchange())

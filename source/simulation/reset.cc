@@ -331,11 +331,10 @@ namespace ThermoContact
                                           state.temperature,
                                           flux);
             for (unsigned int i = 0; i < flux.size(); ++i)
-              flux[i] =
-                body.contact_end().flux(i,
-                                        state.exchange_coefficient[i],
-                                        flux[i],
-                                        body.scene.heat.obstacle_temperature);
+              flux[i] = body.surroundings.flux(i,
+                                               state.exchange_coefficient[i],
+                                               flux[i],
+                                               state.load_time);
             body.contact_end().subtract_load(Field::temperature,
                                              flux,
                                              1.,

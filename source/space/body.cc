@@ -18,7 +18,8 @@ namespace ThermoContact
     , discretization(space.discretization)
     , equations(scene, discretization, space.matrices.get())
     , loads(scene, discretization, data)
-    , energy(scene, discretization, equations, loads)
+    , surroundings(scene, contact_end())
+    , energy(scene, discretization, equations, loads, surroundings)
     , driven_end(scene, discretization, equations, loads, energy)
     , obstacle(scene, contact_end())
   {}

@@ -23,10 +23,12 @@ namespace ThermoContact
   Energy<dim>::Energy(const Scene                           &scene,
                       const Discretization<dim>             &discretization,
                       const ThermoviscoelasticOperator<dim> &stage_operator,
-                      const Loads<dim>                      &loads)
+                      const Loads<dim>                      &loads,
+                      const Surroundings<dim>               &surroundings)
     : discretization(discretization)
     , stage_operator(stage_operator)
     , loads(loads)
+    , surroundings(surroundings)
     , contact(scene.contact)
     , law(*contact.law)
     , material(scene.material)
@@ -267,11 +269,11 @@ namespace ThermoContact
           rate +=
             area *
             mean_of_end(heat_scratch, [&](const unsigned int i, const double) {
-              return -discretization.contact_end().flux(
-                i,
-                state.exchange_coefficient[i] - reference_coefficient,
-                steady_end[i],
-                heat.obstacle_temperature);
+              const double k = state.exchange_coefficient[i];
+              return k * (surroundings.temperature(i, state.load_time) -
+                          surroundings.reference(i)) -
+                     (k - reference_coefficient) *
+                       (steady_end[i] - surroundings.reference(i));
             });
       }
     return rate / area + work_of_motion(momentum_load, state, state.velocity);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/number_text.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/load_enclosure.h>
@@ -76,6 +77,39 @@ namespace ThermoContact
 
 
 
+    /**
+     * The heat exchange as a function of time alone: of an end that is as warm
+     * as what is around it, open and in contact.
+     */
+    std::vector<Expression>
+    exchange_in_time(const Scene &scene)
+    {
+      if (!scene.heat.exchange->dependence().on_time)
+        return {};
+      const std::string     path  = "Boundary/right/Heat exchange";
+      const ExpressionNames names = scene.parameters.names(path);
+      const Expression      law(path,
+                           scene.parameters.boundary.right.exchange_expression,
+                           names);
+      ExpressionNames       in_time(names);
+      in_time.variables     = {"", "", "", "t"};
+      in_time.checks_values = false;
+      const auto number     = [](const double value) {
+        return '(' + significant(value, all_digits) + ')';
+      };
+      const std::string       theta = number(scene.heat.obstacle_temperature);
+      std::vector<Expression> all;
+      for (const auto &[gap, pressure] :
+           {std::pair(std::max(scene.contact.gap, 0.), 0.), std::pair(0., 1.)})
+        all.emplace_back(path,
+                         law.with_variables(
+                           {number(gap), number(pressure), theta, theta, "t"}),
+                         in_time);
+      return all;
+    }
+
+
+
     template <int dim>
     std::vector<Load>
     loads_in_time(const Scene &scene, const ProblemData<dim> &data)
@@ -106,6 +140,13 @@ namespace ThermoContact
       add_source(data.left_traction.get(), 0., force);
       add_source(data.left_heat_flux.get(), 0.);
       add_source(data.obstacle_warming.get(), 1.);
+      if (scene.sources.has_driven_exchange)
+        {
+          if (scene.heat.obstacle_drive)
+            add(*scene.heat.obstacle_drive, 1.);
+          for (const Expression &exchange : exchange_in_time(scene))
+            add(exchange, 1.);
+        }
       if (scene.sources.has_driven_temperature)
         add(scene.heat.fixed_end_drive->expression,
             0.,

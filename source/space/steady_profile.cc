@@ -55,10 +55,8 @@ namespace ThermoContact
           {
             end.get_values(Field::temperature, profile, steady_end);
             for (unsigned int i = 0; i < end.n_nodes(); ++i)
-              steady_end[i] = end.flux(i,
-                                       heat.reference_coefficient,
-                                       steady_end[i],
-                                       heat.obstacle_temperature);
+              steady_end[i] = heat.reference_coefficient *
+                              (steady_end[i] - surroundings.reference(i));
             end.subtract_load(Field::temperature, steady_end, 1., residual);
           }
         stage_operator.zero_constrained(Field::temperature, residual);

@@ -70,6 +70,7 @@ namespace ThermoContact
     , heat_load(rates.temperature_rate)
     , momentum_load(rates.velocity)
     , stage_momentum_load(rates.velocity)
+    , heat_times{}
     , end_heating{}
     , heat_lift(known_temperature)
     , heat_scratch(known_temperature)
@@ -161,9 +162,8 @@ namespace ThermoContact
       set_zero(momentum_load);
     for (unsigned int i = 0; i < n_heat_stages; ++i)
       {
-        body.loads.assemble(time(HeatStages::times[i]),
-                            heat_load[i],
-                            stage_momentum_load);
+        heat_times[i] = time(HeatStages::times[i]);
+        body.loads.assemble(heat_times[i], heat_load[i], stage_momentum_load);
         set_sum(momentum_load,
                 momentum_load,
                 HeatStages::weights[i],
@@ -317,9 +317,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n_heat_stages; ++i)
       values.temperature[i] += contacts[c].sum([&](const ContactSide &side) {
         return side.value(state.temperature);
-      }) -
-                               body.contact_end().outer_temperature(
-                                 c, body.scene.heat.obstacle_temperature);
+      }) - body.surroundings.temperature(c, heat_times[i]);
     return values;
   }
 
@@ -467,7 +465,7 @@ namespace ThermoContact
   BoxIntegrator::EndContact
   BoxIntegrator::contact_for(const unsigned int c,
                              const State       &state,
-                             const double       coefficient,
+                             const double       end_coefficient,
                              const EndValues   &free,
                              const StepPath    &path_without_exchange,
                              const double       size,
@@ -477,7 +475,10 @@ namespace ThermoContact
     const bool             flows =
       n_heat_stages > 0 && !body.scene.heat.exchange->is_constant();
     EndContact end;
-    end.coefficient = coefficient;
+    end.end_coefficient = end_coefficient;
+    const double old    = state.exchange_coefficient[c];
+    for (unsigned int i = 0; i < n; ++i)
+      end.coefficient[i] = old + HeatStages::times[i] * (end_coefficient - old);
     EndValues values(free);
     EndValues by_pressure;
     // fluxes q = k (theta - p dtheta), and what they take of the rest
@@ -491,17 +492,15 @@ namespace ThermoContact
           by_flux[i] =
             end_response(solver.response_to_flux(size, c, i), size, c);
         const auto a = [&](const unsigned int i, const unsigned int j) {
-          return (i == j) + coefficient * by_flux[j].temperature[i];
+          return (i == j) + end.coefficient[i] * by_flux[j].temperature[i];
         };
         const double determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
         const auto   fluxes      = [&](const EndValues &of) {
+          const double first  = end.coefficient[0] * of.temperature[0],
+                       second = end.coefficient[1] * of.temperature[1];
           return std::array<double, n>{
-            {coefficient *
-               (a(1, 1) * of.temperature[0] - a(0, 1) * of.temperature[1]) /
-               determinant,
-             coefficient *
-               (a(0, 0) * of.temperature[1] - a(1, 0) * of.temperature[0]) /
-               determinant}};
+            {(a(1, 1) * first - a(0, 1) * second) / determinant,
+             (a(0, 0) * second - a(1, 0) * first) / determinant}};
         };
         flux             = fluxes(free);
         flux_by_pressure = fluxes(by_pressure);
@@ -542,6 +541,10 @@ namespace ThermoContact
     take(values, end.contact.pressure, by_pressure);
     for (unsigned int i = 0; i < n; ++i)
       end.flux[i] = flux[i] - end.contact.pressure * flux_by_pressure[i];
+    end.end_excess = free.temperature.back() -
+                     end.contact.pressure * by_pressure.temperature.back();
+    for (unsigned int i = 0; i < n && flows; ++i)
+      end.end_excess -= end.flux[i] * by_flux[i].temperature.back();
     if (!end.masses)
       finish_node(c, values, end);
     return end;
@@ -562,20 +565,26 @@ namespace ThermoContact
         c, state, state.exchange_coefficient[c], free, path, size, releases);
     EndContact          end;
     const HeatExchange &exchange = *body.scene.heat.exchange;
+    const double        new_time = heat_times.back();
     const auto          law_at   = [&](const double coefficient) {
       end = contact_for(c, state, coefficient, free, path, size, releases);
       const double s =
         std::max(path.front + size * (end.contact.velocity - path.front_rate),
                  path.rear - size * end.contact.velocity);
+      // the flux that left is k times the difference of temperatures
       return exchange.coefficient(end.end_pressure != 0. ? 0. : s,
-                                  std::abs(end.end_pressure));
+                                  std::abs(end.end_pressure),
+                                  body.surroundings.conditions(
+                                    c,
+                                    body.surroundings.temperature(c, new_time) +
+                                      end.end_excess,
+                                    new_time));
     };
-    const double old_coefficient = state.exchange_coefficient[c];
-    const auto   excess          = [&](const double coefficient) {
-      return coefficient - law_at(0.5 * (old_coefficient + coefficient));
+    const auto excess = [&](const double coefficient) {
+      return coefficient - law_at(coefficient);
     };
     // from the last one in the direction of the law to a change of sign
-    double       low = old_coefficient, high = low;
+    double       low = state.exchange_coefficient[c], high = low;
     const double first  = excess(low);
     double       at_low = first, at_high = first;
     if (first < 0.)
@@ -592,10 +601,7 @@ namespace ThermoContact
     const double found =
       first == 0. ? low :
                     bracketed_root(excess, low, high, at_low, at_high).first;
-    end = contact_for(
-      c, state, 0.5 * (old_coefficient + found), free, path, size, releases);
-    end.end_coefficient = found;
-    return end;
+    return contact_for(c, state, found, free, path, size, releases);
   }
 
 
@@ -728,14 +734,15 @@ namespace ThermoContact
     work_of_impacts = 0.;
     set_end_velocities(state, ends, new_state);
 
+    if (!body.scene.heat.exchange->is_constant())
+      for (unsigned int c = 0; c < contacts.size(); ++c)
+        new_state.exchange_coefficient[c] = ends[c].end_coefficient;
     if (!body.law().is_active())
       return;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const EndContact &end         = ends[c];
         new_state.contact_pressure[c] = end.end_pressure;
-        if (!body.scene.heat.exchange->is_constant())
-          new_state.exchange_coefficient[c] = end.end_coefficient;
         if (body.law().damping() > 0.)
           continue;
         // on the obstacle to the last digit, and never behind it
@@ -1035,9 +1042,6 @@ namespace ThermoContact
     for (unsigned int c = 0; c < ends.size(); ++c)
       {
         stage.contact_pressure[c] = ends[c].contact.pressure;
-        if (body.scene.fields.has_temperature &&
-            !body.scene.heat.exchange->is_constant())
-          stage.exchange_coefficient[c] = ends[c].coefficient;
         result.contact_dissipation +=
           size * body.contact_end().share(c) * ends[c].contact.damping_power;
       }
@@ -1082,6 +1086,10 @@ namespace ThermoContact
         for (unsigned int j = 0; j < n_heat_stages; ++j)
           stage.temperature.add(size * HeatStages::coefficients[i][j],
                                 rates.temperature_rate[j]);
+        stage.load_time = heat_times[i];
+        if (!body.scene.heat.exchange->is_constant())
+          for (unsigned int c = 0; c < ends.size(); ++c)
+            stage.exchange_coefficient[c] = ends[c].coefficient[i];
         add(HeatStages::weights[i], heat_load[i], rates.temperature_rate[i]);
       }
   }

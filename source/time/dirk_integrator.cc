@@ -194,9 +194,8 @@ namespace ThermoContact
         set_known_values(state, time_step.size, i);
         if (body.obstacle.is_active())
           place_obstacle(i, tau, mode);
-        body.loads.assemble(load_time(state, time_step, i),
-                            heat_load,
-                            momentum_load);
+        known.load_time = load_time(state, time_step, i);
+        body.loads.assemble(known.load_time, heat_load, momentum_load);
         solve_stage(i, tau, mode);
         result.failure = stage.failure;
         result.n_iterations += stage.n_iterations;

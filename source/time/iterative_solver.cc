@@ -79,7 +79,10 @@ namespace ThermoContact
   void
   IterativeSolver<dim>::solve_system(const bool is_last)
   {
-    const double tolerance = body.scene.linear_solver.tolerance;
+    const double tolerance =
+      body.scene.linear_solver.tolerance *
+      (body.scene.heat.exchange->is_constant() ? 1. :
+                                                 Tolerances::within_search);
     count(stage.solve(
       is_last ? tolerance : std::max(tolerance, Tolerances::loose_residual)));
   }
@@ -103,13 +106,15 @@ namespace ThermoContact
   {
     stage.set_exchange(coefficient);
     n_sets += meet_laws(end_pressures);
-    std::vector<double> result;
+    const std::vector<ExchangeConditions> conditions = stage.conditions();
+    std::vector<double>                   result;
     for (unsigned int i = 0; i < laws.size(); ++i)
       result.push_back(
         coefficient_of_node(*body.scene.heat.exchange,
                             laws[i],
                             laws[i].position(this->positions()[i]),
-                            end_pressures[i]));
+                            end_pressures[i],
+                            conditions[i]));
     return result;
   }
 

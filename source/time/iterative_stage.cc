@@ -96,8 +96,9 @@ namespace ThermoContact
         body.contact_end().get_values(Field::temperature,
                                       known.temperature,
                                       excess_temperature);
-        for (double &value : excess_temperature)
-          value -= body.scene.heat.obstacle_temperature;
+        load_time = known.load_time;
+        for (unsigned int i = 0; i < excess_temperature.size(); ++i)
+          excess_temperature[i] -= body.surroundings.temperature(i, load_time);
       }
   }
 
@@ -120,6 +121,27 @@ namespace ThermoContact
       rhs.block(Field::temperature).local_element(entry) +=
         change[node] * excess_temperature[node];
     system->set_conductance(conductance);
+  }
+
+
+
+  template <int dim>
+  std::vector<ExchangeConditions>
+  IterativeStage<dim>::conditions() const
+  {
+    std::vector<double> change;
+    body.contact_end().get_values(Field::temperature,
+                                  solution.block(Field::temperature),
+                                  change);
+    std::vector<ExchangeConditions> all;
+    for (unsigned int i = 0; i < change.size(); ++i)
+      {
+        const double surroundings = body.surroundings.temperature(i, load_time);
+        all.push_back({surroundings + excess_temperature[i] + change[i],
+                       surroundings,
+                       load_time});
+      }
+    return all;
   }
 
 

@@ -286,11 +286,16 @@ namespace ThermoContact
     end.get_values(Field::temperature,
                    rates.temperature_rate,
                    response.free_temperature);
+    response.time = known.load_time;
+    response.surroundings.resize(known_values.size());
     for (unsigned int i = 0; i < known_values.size(); ++i)
-      response.free_temperature[i] =
-        known_values[i] -
-        end.outer_temperature(i, body.scene.heat.obstacle_temperature) +
-        tau * response.free_temperature[i];
+      {
+        response.surroundings[i] =
+          body.surroundings.temperature(i, known.load_time);
+        response.free_temperature[i] = known_values[i] -
+                                       response.surroundings[i] +
+                                       tau * response.free_temperature[i];
+      }
 
     end_exchange.pressure    = known.contact_pressure;
     end_exchange.coefficient = known.exchange_coefficient;

@@ -82,9 +82,6 @@ SCENES = [
      "Boundary/right/Surroundings=5*sin(t)", "Boundary/right/Surroundings=-5"),
     ("Boundary/right/Surroundings", (), "Boundary/right/Surroundings=y*t",
      ("Boundary/right/Surroundings=y*t", "Dimension=2", "Mesh/Cells=1")),
-    ("Boundary/right/Surroundings", EXCHANGE, "Boundary/right/Surroundings=t",
-     "Boundary/right/Surroundings=1",
-     ("Boundary/right/Surroundings=t", "Boundary/right/Heat exchange=1")),
     # heat that is lost along the rod
     ("Boundary/sides/Heat exchange", (), "Boundary/sides/Heat exchange=-1e-3",
      "Boundary/sides/Heat exchange=0", "Boundary/sides/Heat exchange=1e-3"),

@@ -35,6 +35,9 @@ SCENES = [
     ("Contact/Massless nodes", TWO + SDIRK, "Contact/Massless nodes=on", "Contact/Massless nodes=off"),
     ("Contact/Rear gap", TWO, "Contact/Rear gap=0.1", "Contact/Rear gap=none"),
     ("Contact/Gap", TWO, "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1"),
+    # two temperatures
+    ("Boundary/right/Heat exchange", TWO, "Boundary/right/Heat exchange=1+theta", "Boundary/right/Heat exchange=1+gap",
+     "Boundary/right/Heat exchange=1+t"),
     # an overlap of rigid bodies
     ("Contacts", TWO + RIGID, "Contacts/a b/Gap=-0.02", "Contacts/a b/Gap=0.02"),
     # two contacts of rigid bodies with inertia; one is located

@@ -63,7 +63,13 @@ namespace
   struct Exchange : public HeatExchange
   {
     explicit Exchange(const std::function<double(double, double)> &value)
-      : HeatExchange("k", value)
+      : HeatExchange("k",
+                     {true},
+                     [value](const double gap,
+                             const double pressure,
+                             const ExchangeConditions &) {
+                       return value(gap, pressure);
+                     })
     {}
   };
 
@@ -76,6 +82,7 @@ namespace
     EndResponse response;
     response.free.assign(n, s);
     response.free_temperature.assign(n, theta);
+    response.surroundings.assign(n, 0.);
     response.temperature_by_pressure.reinit(n, n);
     response.penetration_by_pressure = dealii::IdentityMatrix(n);
     response.penetration_by_flux     = response.penetration_by_pressure;

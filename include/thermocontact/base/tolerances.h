@@ -128,6 +128,10 @@ namespace ThermoContact
 
     // ---- iterations
 
+    /** Linear systems whose solutions a search compares, over its tolerance:
+     * their errors are no part of what it looks at. */
+    inline constexpr double within_search = 0.1;
+
     /** Krylov: while the tangents of contact still change. */
     inline constexpr double loose_residual = 1e-5;
 

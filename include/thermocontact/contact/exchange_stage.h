@@ -22,6 +22,8 @@ namespace ThermoContact
   {
     std::vector<double> free;             ///< $x^{free}$, as the laws have it
     std::vector<double> free_temperature; ///< $\theta^{free}-\theta_{obs}$
+    std::vector<double> surroundings;     ///< $\theta_{obs}$
+    double              time = 0.;        ///< of the loads
 
     dealii::FullMatrix<double> penetration_by_pressure; ///< $W$
     dealii::FullMatrix<double> penetration_by_flux;     ///< $V$
@@ -37,10 +39,11 @@ namespace ThermoContact
 
   /** $k$ of a node here, with this pressure; no gap if it is in contact. */
   double
-  coefficient_of_node(const HeatExchange &exchange,
-                      const NodeLaw      &law,
-                      const double        position,
-                      const double        pressure);
+  coefficient_of_node(const HeatExchange       &exchange,
+                      const NodeLaw            &law,
+                      const double              position,
+                      const double              pressure,
+                      const ExchangeConditions &there);
 
 
 
@@ -93,6 +96,7 @@ namespace ThermoContact
            receptance; ///< of x, with the fluxes that follow
     Values position;   ///< of the nodes
     Values slope;      ///< of their laws
+    std::vector<ExchangeConditions> conditions; ///< of the nodes
 
     /** The heat exchange is that of a gap of zero. */
     bool

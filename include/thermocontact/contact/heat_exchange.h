@@ -8,24 +8,52 @@
 
 namespace ThermoContact
 {
+  /** The temperatures at a node of the contact boundary, and when. */
+  struct ExchangeConditions
+  {
+    double temperature  = 0.; ///< $\theta$ of the body
+    double surroundings = 0.; ///< $\theta_{obs}$
+    double time         = 0.; ///< of the loads
+  };
+
+
+
   /**
    * Heat exchange between one node of the contact boundary and the obstacle,
    * doc/model.md (M5.1): the coefficient $k$ of the flux
    * $k(\theta-\theta_{obs})$ that leaves the body, which may depend on the gap
-   * and on the pressure there. No mesh, no matrix.
+   * and the pressure there, on both temperatures and on time. No mesh, no
+   * matrix.
    */
   class HeatExchange
   {
   public:
+    /** $k$ of gap and pressure, which are $\ge0$, and the rest; unchecked. */
+    using Law = std::function<double(const double              gap,
+                                     const double              pressure,
+                                     const ExchangeConditions &there)>;
+
+    /** What $k$ depends on. */
+    struct Dependence
+    {
+      bool on_contact     = false; ///< on gap or pressure
+      bool on_temperature = false; ///< of the body, or of the obstacle
+      bool on_time        = false;
+
+      bool
+      any() const
+      {
+        return on_contact || on_temperature || on_time;
+      }
+    };
+
     /** As in the paper: the same @p coefficient $k\ge0$ always. */
     explicit HeatExchange(const double coefficient);
 
-    /**
-     * @param description "k = " and what it is, for the screen
-     * @param value $k$ of gap and pressure, which are $\ge0$; unchecked
-     */
-    HeatExchange(const std::string                           &description,
-                 const std::function<double(double, double)> &value);
+    /** @param description "k = " and what it is, for the screen */
+    HeatExchange(const std::string &description,
+                 const Dependence  &dependence,
+                 const Law         &law);
 
     const std::string &
     description() const
@@ -33,11 +61,17 @@ namespace ThermoContact
       return description_;
     }
 
+    const Dependence &
+    dependence() const
+    {
+      return dependence_;
+    }
+
     /** True if $k$ depends on nothing, so that the exchange is linear. */
     bool
     is_constant() const
     {
-      return is_constant_;
+      return !dependence_.any();
     }
 
     /**
@@ -48,12 +82,14 @@ namespace ThermoContact
      * @throw ComputationError if $k$ is negative or not finite there
      */
     double
-    coefficient(const double penetration, const double pressure) const;
+    coefficient(const double              penetration,
+                const double              pressure,
+                const ExchangeConditions &there) const;
 
   private:
-    const std::string                           description_;
-    const bool                                  is_constant_;
-    const std::function<double(double, double)> value;
+    const std::string description_;
+    const Dependence  dependence_;
+    const Law         law;
   };
 } // namespace ThermoContact
 

@@ -357,7 +357,8 @@ namespace ThermoContact
     bool has_end_heat_flux;
     bool has_left_traction;
     bool has_left_heat_flux;
-    bool has_varying_obstacle;   ///< its temperature
+    bool has_varying_obstacle;   ///< its temperature; of a constant exchange
+    bool has_driven_exchange;    ///< that is none, or its obstacle, in time
     bool has_driven_temperature; ///< of the fixed end
     bool has_moving_end;         ///< the fixed end
     bool has_moving_obstacle;
@@ -367,7 +368,8 @@ namespace ThermoContact
     {
       return has_heat_source || has_body_force || has_end_traction ||
              has_end_heat_flux || has_left_traction || has_left_heat_flux ||
-             has_varying_obstacle || drives_end() || has_moving_obstacle;
+             has_varying_obstacle || has_driven_exchange || drives_end() ||
+             has_moving_obstacle;
     }
 
     /** The fixed end is heated or moved as a function of time. */

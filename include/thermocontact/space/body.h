@@ -10,6 +10,7 @@
 #include <thermocontact/space/loads.h>
 #include <thermocontact/space/obstacle_motion.h>
 #include <thermocontact/space/problem_data.h>
+#include <thermocontact/space/surroundings.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <memory>
@@ -47,6 +48,7 @@ namespace ThermoContact
     const Discretization<dim>                       &discretization;
     const ThermoviscoelasticOperator<dim>            equations;
     Loads<dim>                                       loads;
+    const Surroundings<dim>                          surroundings;
     const Energy<dim>                                energy;
     const DrivenEnd<dim>                             driven_end;
     const ObstacleMotion<dim>                        obstacle;

@@ -193,27 +193,6 @@ namespace ThermoContact
     double
     mean(const std::vector<double> &values) const;
 
-    /** Temperature outside of a node: of the obstacle, or relative to a body.
-     */
-    double
-    outer_temperature(const unsigned int node, const double of_obstacle) const
-    {
-      return nodes_[node].meets_body() ? 0. : of_obstacle;
-    }
-
-    /**
-     * Heat that leaves a node, $k(\theta-\theta_{obs})$; to its partner
-     * $k\theta$ of the difference of their temperatures.
-     */
-    double
-    flux(const unsigned int node,
-         const double       coefficient,
-         const double       temperature,
-         const double       of_obstacle) const
-    {
-      return coefficient * (temperature - outer_temperature(node, of_obstacle));
-    }
-
     /** Part of the contact end that a node stands for, $w_i$ over its area. */
     double
     share(const unsigned int node) const

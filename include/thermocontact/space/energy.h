@@ -5,6 +5,7 @@
 
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/space/loads.h>
+#include <thermocontact/space/surroundings.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 namespace ThermoContact
@@ -52,7 +53,8 @@ namespace ThermoContact
     Energy(const Scene                           &scene,
            const Discretization<dim>             &discretization,
            const ThermoviscoelasticOperator<dim> &stage_operator,
-           const Loads<dim>                      &loads);
+           const Loads<dim>                      &loads,
+           const Surroundings<dim>               &surroundings);
 
     /** $\hat E$ of (M2.2). */
     EnergyTerms
@@ -158,6 +160,7 @@ namespace ThermoContact
     const Discretization<dim>             &discretization;
     const ThermoviscoelasticOperator<dim> &stage_operator;
     const Loads<dim>                      &loads;
+    const Surroundings<dim>               &surroundings;
     const SceneContact                    &contact;
     const ContactLaw                      &law;
     const Material                        &material;
@@ -168,7 +171,8 @@ namespace ThermoContact
     Vector                                 steady_stress; ///< $D^T\theta_s$
     double reference_coefficient; ///< $k_s$ that the profile balances
 
-    /** The heat of the surroundings of a row that its profile does not balance. */
+    /** The heat of the surroundings of a row that its profile does not balance.
+     */
     Vector unbalanced_heat;
 
     mutable Vector               heat_scratch;

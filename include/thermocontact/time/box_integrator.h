@@ -99,6 +99,8 @@ namespace ThermoContact
     Vector                            momentum_load; ///< mean of the step
     Vector                            stage_momentum_load;
 
+    std::array<double, HeatStages::n> heat_times; ///< of their loads
+
     /** The rates of the fixed end by its drive. */
     std::array<double, HeatStages::n> end_heating;
     double                            end_velocity = 0.;
@@ -147,11 +149,12 @@ namespace ThermoContact
     {
       StepContact                       contact;
       std::array<double, HeatStages::n> flux{};
-      double                            coefficient     = 0.; ///< mean k
+      std::array<double, HeatStages::n> coefficient{}; ///< k at the stages
       double                            end_coefficient = 0.; ///< that at $t^1$
       double                            end_pressure    = 0.; ///< $p^1$
       double                            end_velocity    = 0.; ///< $v(1,t^1)$
       double free_velocity = 0.; ///< $w$ without pressure
+      double end_excess    = 0.; ///< $\theta-\theta_{obs}$ at $t^1$
 
       /** $p^1$ of a rigid obstacle that may pull. */
       double stopping = 0.;
@@ -183,11 +186,11 @@ namespace ThermoContact
                  const double       size,
                  const unsigned int c) const;
 
-    /** The contact node for a coefficient of the heat exchange. */
+    /** The contact node for a coefficient of the heat exchange at $t^1$. */
     EndContact
     contact_for(const unsigned int c,
                 const State       &state,
-                const double       coefficient,
+                const double       end_coefficient,
                 const EndValues   &free,
                 const StepPath    &path,
                 const double       size,

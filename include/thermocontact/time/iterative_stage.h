@@ -72,6 +72,10 @@ namespace ThermoContact
     void
     set_exchange(const std::vector<double> &coefficient);
 
+    /** What the law of the exchange is told of the nodes as they are. */
+    std::vector<ExchangeConditions>
+    conditions() const;
+
     /** Springs of the contact nodes, LinearSystem::set_springs(). */
     void
     set_springs(const std::vector<double> &springs,
@@ -165,6 +169,7 @@ namespace ThermoContact
 
     std::vector<double> conductance;        ///< $\tau wk$; empty: none
     std::vector<double> excess_temperature; ///< of nodes at the beginning
+    double              load_time = 0.;     ///< of the stage
     BlockVector         rhs;                ///< without contact
     BlockVector         solution;           ///< $(\tau\theta',v)$
 
