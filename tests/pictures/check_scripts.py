@@ -12,6 +12,7 @@ exit status, what is passed on.
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -55,6 +56,20 @@ case " $FAIL " in
 esac
 [ "$name" != thermocontact ] || exit "${STATUS:-0}"
 """
+# mpirun with a rank that has a signal sent to scripts/run
+SIGNALLED = """#!/bin/bash
+(trap 'echo rank TERM >>"$CALLS"; exit 4' TERM
+kill -"$SIGNAL" $PPID
+for i in {1..300}; do sleep 0.1; done) &
+trap 'echo mpirun >>"$CALLS"' INT TERM HUP
+wait $!
+"""
+
+
+def heed_signals():
+    """For scripts that shells would not let heed them: this one may be in the background."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
 
 
 def check(name, good, message=""):
@@ -120,9 +135,9 @@ class Project:
             self.stand_in(top / "bin" / name)
         self.stand_in(top / "scripts/install_packages")
 
-    def stand_in(self, path):
+    def stand_in(self, path, text=STAND_IN):
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(STAND_IN)
+        path.write_text(text)
         path.chmod(0o755)
 
     def run(self, script, *arguments, **environment):
@@ -134,7 +149,7 @@ class Project:
             [self.top / "scripts" / script, *arguments], capture_output=True,
             text=True, env={**clean, "CALLS": str(self.calls), "PATH":
                             f"{self.top}/bin:{os.environ['PATH']}",
-                            **environment})
+                            **environment}, preexec_fn=heed_signals)
         return result, self.calls.read_text().splitlines()
 
 
@@ -375,6 +390,12 @@ def check_run(top):
     root = "--allow-run-as-root " if os.getuid() == 0 else ""
     check("two ranks", result.returncode == 0 and calls[-1] ==
           f"mpirun {root}--oversubscribe -n 2 {program} x.prm", str(calls))
+    project.stand_in(top / "bin/mpirun", SIGNALLED)
+    for name in ("INT", "TERM", "HUP"):
+        result, calls = project.run("run", "x.prm", NRANKS="2", SIGNAL=name)
+        check(f"{name} is for the ranks", result.returncode == 4 and
+              calls[-1] == "rank TERM", f"{result} {calls}")
+    project.stand_in(top / "bin/mpirun")
     for name, what in (("install_packages", []), ("make", ["make"])):
         result, calls = project.run("run", "x.prm", FAIL=name, WORDS="error")
         check(f"{name} fails", result.returncode == 1 and
