@@ -25,6 +25,7 @@ LEAST_MAP = 4  # values of each of two entries from which on there is a map
 MOST_CURVES = 12  # that can be told apart
 MOST_NUMBERS = 120  # that can be read in the cells of a map
 LEAST_DISTANCE = 0.045  # of ticks, in lengths of an axis
+LEAST_WIDTH = 0.065  # of cells whose numbers are level, in widths of all panels beside each other
 SHORT = {"peak force": "max_contact_force", "peak penetration": "max_penetration",
          "impulse": "contact_impulse"}  # as on the screen
 
@@ -177,8 +178,9 @@ def apart(values, scale):
     return shown
 
 
-def draw_cells(panel, sweep, name, axes, limits):
-    """The cells of a map with their numbers; those outside of the limits are hatched."""
+def draw_cells(panel, sweep, name, axes, limits, columns):
+    """The cells of a map with their numbers, upright in narrow ones; those outside of the limits
+    are hatched. columns: panels beside each other."""
     from matplotlib.patches import Rectangle
     xs, ys = (sorted({number(run[entry]) for run in sweep.runs}) for entry in axes)
     x_edges, y_edges = (edges_of(values, scale_of(values)) for values in (xs, ys))
@@ -188,6 +190,8 @@ def draw_cells(panel, sweep, name, axes, limits):
         i, j = xs.index(number(run[axes[0]])), ys.index(number(run[axes[1]]))
         values[j][i] = number(run[name])
         places[i, j] = run
+    places_x = [math.log(edge) for edge in x_edges] if scale_of(xs) == "log" else x_edges
+    narrowest = min(b - a for a, b in zip(places_x, places_x[1:])) / (places_x[-1] - places_x[0])
     cells = panel.pcolormesh(x_edges, y_edges, values, cmap="viridis", rasterized=True)
     panel.set_xscale(scale_of(xs))
     panel.set_yscale(scale_of(ys))
@@ -200,7 +204,8 @@ def draw_cells(panel, sweep, name, axes, limits):
                 y_edges[j + 1] - y_edges[j], fill=False, hatch="///", linewidth=0, edgecolor="0.6"))
         if len(places) <= MOST_NUMBERS and not math.isnan(values[j][i]):
             panel.text(xs[i], ys[j], f"{values[j][i] / 10.**power:.3g}", ha="center", va="center",
-                       fontsize=6, color="black" if cells.norm(values[j][i]) > 0.6 else "white")
+                       rotation=90 * (narrowest < LEAST_WIDTH * columns), fontsize=6,
+                       color="black" if cells.norm(values[j][i]) > 0.6 else "white")
     return cells
 
 
@@ -212,7 +217,7 @@ def draw_maps(figure, sweep, results, axes, limits):
     rows = math.ceil(len(results) / columns)
     panels = figure.subplots(rows, columns, squeeze=False)
     for k, (panel, name) in enumerate(zip(panels.flat, results)):
-        cells = draw_cells(panel, sweep, name, axes, limits)
+        cells = draw_cells(panel, sweep, name, axes, limits, columns)
         for axis, entry, words, is_labelled in (
                 (panel.xaxis, axes[0], xs, k + columns >= len(results)),
                 (panel.yaxis, axes[1], ys, k % columns == 0)):

@@ -155,12 +155,13 @@ def check_results(plot, header):
         RESULTS) and {panel.get_xlabel() for panel in panels} == {
             "", "compliance [of Contact/Compliance]"} and {
                 panel.get_ylabel() for panel in panels} == {"", "gap [of Contact/Gap]"})
-    check_limits(plot, table, xs, ys)
+    check_limits(plot, header, table, xs, ys)
 
 
-def check_limits(plot, table, xs, ys):
+def check_limits(plot, header, table, xs, ys):
     """Cells end half way between their values, with ratios where these are 30 or more; in each
-    is its number; a limit hatches the cells of other runs and lists its own."""
+    is its number, upright where it would reach into the next cell; a limit hatches the cells of
+    other runs and lists its own."""
     forces = table["max_contact_force"]
     limit = forces[12]  # grows with the number of the run
     told = io.StringIO()
@@ -174,6 +175,13 @@ def check_limits(plot, table, xs, ys):
             edges[:, 0, 1], [0.05, 0.15, 0.25, 0.35, 0.45]), str(edges[0, :, 0]))
     check("numbers in cells", sorted(text.get_text() for text in panel.texts) == sorted(
         f"{force:.3g}" for force in forces))
+    alone = {}
+    for name, words in (("wide", ["1", "2", "3", "4"]), ("narrow", ["1", "1.2", "3", "4"])):
+        make_study(name, header, {"Contact/Compliance": words * 4,
+                                  "Contact/Gap": [str(i // 4 + 1) for i in range(16)]})
+        figure = drawings.figures_of(plot, name, "--result", "max_contact_force")["results"]
+        alone[name] = {text.get_rotation() for axes in figure.axes for text in axes.texts}
+    check("numbers in narrow cells", alone == {"wide": {0}, "narrow": {90}}, str(alone))
     outside = {(float(x), float(y)) for x, y, force in zip(xs, ys, forces) if force >= limit}
     hatched = {(round((patch.get_x() * (patch.get_x() + patch.get_width()))**0.5, 9),
                 round(patch.get_y() + 0.05, 9)) for patch in panel.patches if patch.get_hatch()}
