@@ -116,7 +116,10 @@ namespace ThermoContact
 
 
 
-    /** Left on the disk of a directory that may have to be made. */
+    /**
+     * Left on the disk of a directory that may have to be made; infinite where
+     * that is not known, as in /proc.
+     */
     double
     free_bytes(std::filesystem::path directory)
     {
@@ -126,7 +129,7 @@ namespace ThermoContact
              directory.has_relative_path())
         directory = directory.parent_path();
       const auto space = std::filesystem::space(directory, fault);
-      return fault ? infinity : space.available;
+      return fault || space.capacity == 0 ? infinity : space.available;
     }
 
 
