@@ -81,6 +81,15 @@ namespace ThermoContact
         }
       return scale;
     }
+
+
+    std::unique_ptr<const ContactLaw>
+    elastic_obstacle(const double compliance)
+    {
+      ContactLawParameters parameters = default_law_parameters();
+      parameters.at("Compliance")     = compliance;
+      return normal_compliance().make(parameters);
+    }
   } // namespace
 
 
@@ -89,8 +98,7 @@ namespace ThermoContact
     const ContactLaw                 &law,
     const dealii::FullMatrix<double> &receptance)
     : static_receptance(receptance)
-    , law_of_node(normal_compliance().make(
-        {{"Compliance", law.tangent(0.) + receptance(0, 0)}, {"Damping", 0.}}))
+    , law_of_node(elastic_obstacle(law.tangent(0.) + receptance(0, 0)))
   {}
 
 

@@ -13,9 +13,12 @@ namespace ThermoContact
   std::string
   ContactLaw::description() const
   {
-    return damping_ == 0. ?
-             undamped_description() :
-             text(undamped_description(), ", damping c = ", damping_);
+    std::string words = undamped_description();
+    if (damping_ > 0.)
+      words += text(", damping c = ", damping_);
+    if (dashpot_ > 0.)
+      words += text(", dashpot d = ", dashpot_);
+    return words;
   }
 
 
@@ -34,8 +37,28 @@ namespace ThermoContact
   double
   ContactLaw::damped_pressure(const double penetration, const double v) const
   {
-    const double elastic = pressure(penetration);
-    return damping_ == 0. ? elastic : elastic * std::max(0., 1. + damping_ * v);
+    return !is_damped()      ? pressure(penetration) :
+           penetration >= 0. ? std::max(0., held_pressure(penetration, v)) :
+                               0.;
+  }
+
+
+
+  double
+  ContactLaw::held_pressure(const double penetration, const double v) const
+  {
+    return std::copysign(pressure(std::abs(penetration)), penetration) *
+             velocity_factor(v) +
+           dashpot_ * v;
+  }
+
+
+
+  double
+  ContactLaw::work_to(const double penetration, const double v) const
+  {
+    return energy(pressure(penetration)) * velocity_factor(v) +
+           dashpot_ * penetration * v;
   }
 
 
@@ -145,5 +168,21 @@ namespace ThermoContact
             "Damping c >= 0 of an elastic obstacle (Hunt and Crossley): its "
             "pressure is multiplied by 1 + c times the velocity into it, and "
             "never negative."};
+  }
+
+
+
+  ContactLawEntry
+  dashpot_entry()
+  {
+    return {"Dashpot",
+            "dashpot",
+            0.,
+            0.,
+            1e15,
+            false,
+            "Coefficient d >= 0 of a dashpot in an elastic obstacle: pressure "
+            "d times the velocity into it beside the elastic one, in contact, "
+            "and never a pull."};
   }
 } // namespace ThermoContact

@@ -132,7 +132,31 @@ namespace ThermoContact
     return n_closed == local.size() ? ContactMode::closed :
            n_closed > 0 || opposite.is_any_in_contact() ?
                                       ContactMode::unilateral :
-                                      ContactMode::open;
+                                      mode_without_pressure(values);
+  }
+
+
+
+  ContactMode
+  EventLocator::mode_without_pressure(const ContactValues &values) const
+  {
+    for (const int at : {1, -1})
+      if (const LocalValues local{values, at};
+          law.dashpot() > 0. && local.penetration(local.foremost()) > 0.)
+        return ContactMode::unilateral;
+    return ContactMode::open;
+  }
+
+
+
+  double
+  EventLocator::way_to_contact(const LocalValues &local,
+                               const unsigned int node) const
+  {
+    const double s = local.penetration(node);
+    return law.dashpot() > 0. && s > 0. ?
+             0. - law.held_pressure(s, local.velocity(node)) :
+             0. - s;
   }
 
 
@@ -188,11 +212,13 @@ namespace ThermoContact
           smallest_scale =
             std::min(smallest_scale,
                      law.penetration(std::sqrt(2. * scales.energy)));
+        else if (law.dashpot() > 0.)
+          smallest_scale =
+            std::min(smallest_scale, scales.momentum / law.dashpot());
       }
     const bool has_small_impulse =
       has_small_changes && has_mass && !law.is_rigid() &&
-      law.energy(law.pressure(std::abs(s))) *
-          (1. + law.damping() * std::abs(rate)) <=
+      law.work_to(std::abs(s), std::abs(rate)) <=
         0.1 * std::abs(rate) * tolerance * scales.momentum;
     return has_small_impulse ||
            std::abs(s) <= allowed_miss(smallest_scale) + rounding;
@@ -330,7 +356,7 @@ namespace ThermoContact
                 begins ? ContactEvent::begin : ContactEvent::end,
                                 side * (local.velocity(node) + change_of_velocity),
                                 side}};
-    mode_                   = begins ? ContactMode::closed : ContactMode::open;
+    mode_ = begins ? ContactMode::closed : mode_without_pressure(present);
     return true;
   }
 
@@ -365,8 +391,8 @@ namespace ThermoContact
         // within it: the free side counts.
         const unsigned int  old_node = old.foremost();
         const unsigned int  node     = local.foremost();
-        const double        gap0     = -old.penetration(old_node);
-        const double        gap1     = -local.penetration(node);
+        const double        gap0     = way_to_contact(old, old_node);
+        const double        gap1     = way_to_contact(local, node);
         const double        fraction = gap0 == gap1 ? 1. : gap0 / (gap0 - gap1);
         const ContactChange change =
           known ?
@@ -418,7 +444,7 @@ namespace ThermoContact
           !finding.changes_all_nodes || (begins && !local.are_all_local()) ?
             ContactMode::unilateral :
           begins ? ContactMode::closed :
-                   ContactMode::open;
+                   mode_without_pressure(next);
       }
     present = next;
     largest.add({present, side});

@@ -55,7 +55,7 @@ namespace ThermoContact
   double
   Damped::velocity_at_touch() const
   {
-    return tau > 0. ? -start / tau : start > 0. ? -infinity : infinity;
+    return tau > 0. ? -start / tau : start >= 0. ? -infinity : infinity;
   }
 
 
@@ -63,7 +63,7 @@ namespace ThermoContact
   double
   Damped::factor_at_touch() const
   {
-    return std::max(0., 1. + law.damping() * velocity_at_touch());
+    return law.velocity_factor(velocity_at_touch());
   }
 
 
@@ -72,7 +72,7 @@ namespace ThermoContact
   Damped::pressure(const double v) const
   {
     const double s = penetration(v);
-    return s > 0.  ? law.damped_pressure(s, v) :
+    return s > 0.  ? law.pressure(s) * law.velocity_factor(v) :
            is_held ? -law.pressure(-s) * factor_at_touch() :
                      0.;
   }
@@ -86,7 +86,7 @@ namespace ThermoContact
     if (s > 0.)
       {
         const double elastic = law.pressure(s);
-        const double factor  = 1. + law.damping() * v;
+        const double factor  = law.velocity_factor(v);
         return factor > 0. ?
                  tau * factor / law.tangent(elastic) + law.damping() * elastic :
                  0.;
@@ -100,6 +100,13 @@ namespace ThermoContact
   double
   Damped::local_pressure(const double z, const double r) const
   {
+    if (law.damping() == 0.)
+      {
+        const double s = penetration(z);
+        return s >= 0. ? law.resolve(s, tau * r).pressure :
+               is_held ? -law.resolve(-s, tau * r).pressure :
+                         0.;
+      }
     const double touch = velocity_at_touch();
     const double low   = std::max(touch, -1. / law.damping());
     if (!(z > low))
@@ -126,9 +133,21 @@ namespace ThermoContact
   NodalPressure
   Damped::resolve(const double z, const double r) const
   {
-    const double p = local_pressure(z, r);
-    const double v = z - r * p;
-    const double k = stiffness(v);
+    // the line of the dashpot only tilts the plane
+    const double d       = law.dashpot();
+    const double free    = z / (1. + r * d);
+    const double elastic = local_pressure(free, r / (1. + r * d));
+    const double v       = free - r / (1. + r * d) * elastic;
+    const double p       = elastic + d * v;
+    if (d > 0. && !is_held)
+      {
+        const double touch = velocity_at_touch();
+        if (z <= touch || (v >= touch && p <= 0.))
+          return {};
+        if (v < touch) // its force at the first touch would throw the node back
+          return {(z - touch) / r, {0., touch}};
+      }
+    const double k = stiffness(v) + d;
     // where rounding alone is stiff the graph is vertical
     return {p, k == 0. && p != 0. ? AffineLaw{0., v} : tangent(k, v, p)};
   }
@@ -230,6 +249,9 @@ namespace ThermoContact
   double
   NodeLaw::pressure_at(const double position, const double velocity) const
   {
+    if (is_held)
+      return side * law->held_pressure(side * position,
+                                       side * (velocity - local_rate()));
     double pressure = 0.;
     for (const int sign : {1, -1})
       pressure +=
@@ -275,12 +297,12 @@ namespace ThermoContact
                  const double      rounding)
     {
       const double of_law = law.pressure(s);
-      const double factor = 1. + law.damping() * v;
+      const double factor = law.velocity_factor(v);
       if (factor < smallest_factor)
         return of_law;
       if (pressure == 0.)
         return v > 0. ? 0. : of_law;
-      const double value = pressure / factor;
+      const double value = (pressure - law.dashpot() * v) / factor;
       return std::abs(law.penetration(value) - s) <= rounding ? value : of_law;
     }
   } // namespace

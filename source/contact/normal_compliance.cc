@@ -14,8 +14,10 @@ namespace ThermoContact
     class NormalCompliance : public ContactLaw
     {
     public:
-      NormalCompliance(const double compliance, const double damping)
-        : ContactLaw(damping)
+      NormalCompliance(const double compliance,
+                       const double damping,
+                       const double dashpot)
+        : ContactLaw(damping, dashpot)
         , compliance(compliance)
       {}
 
@@ -93,10 +95,12 @@ namespace ThermoContact
   {
     return {"normal compliance",
             "elastic obstacle",
-            {compliance_entry(), damping_entry()},
+            {compliance_entry(), damping_entry(), dashpot_entry()},
             [](const ContactLawParameters &parameters) {
               return std::make_unique<NormalCompliance>(
-                parameters.at("Compliance"), parameters.at("Damping"));
+                parameters.at("Compliance"),
+                parameters.at("Damping"),
+                parameters.at("Dashpot"));
             }};
   }
 } // namespace ThermoContact

@@ -17,8 +17,9 @@ namespace ThermoContact
     public:
       PowerLaw(const double compliance,
                const double exponent,
-               const double damping)
-        : ContactLaw(damping)
+               const double damping,
+               const double dashpot)
+        : ContactLaw(damping, dashpot)
         , compliance(compliance)
         , exponent(exponent)
       {}
@@ -143,7 +144,8 @@ namespace ThermoContact
               "Exponent m >= 1 of a power law: pressure = (penetration / "
               "epsilon)^m; 1.5 is Hertz's contact of a rounded end, 1 is "
               "normal compliance."},
-             damping_entry()},
+             damping_entry(),
+             dashpot_entry()},
             [](const ContactLawParameters &parameters)
               -> std::unique_ptr<const ContactLaw> {
               const double exponent = parameters.at("Exponent");
@@ -151,7 +153,8 @@ namespace ThermoContact
                 return normal_compliance().make(parameters);
               return std::make_unique<PowerLaw>(parameters.at("Compliance"),
                                                 exponent,
-                                                parameters.at("Damping"));
+                                                parameters.at("Damping"),
+                                                parameters.at("Dashpot"));
             }};
   }
 } // namespace ThermoContact

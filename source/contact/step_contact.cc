@@ -76,21 +76,30 @@ namespace ThermoContact
       double
       damping_factor(const SideEnd &end) const
       {
-        return std::max(0., 1. + law.damping() * velocity(end));
+        return law.velocity_factor(velocity(end));
       }
 
       double
       mean(const SideEnd &end, const double weight) const
       {
-        return elastic_mean(end, weight) * damping_factor(end);
+        const double of_spring =
+          elastic_mean(end, weight) * damping_factor(end);
+        // only the way within the obstacle moves its dashpot
+        return law.dashpot() == 0. ?
+                 of_spring :
+                 std::max(0.,
+                          of_spring + law.dashpot() *
+                                        (std::max(end.penetration, 0.) -
+                                         std::max(start, 0.)) /
+                                        size);
       }
 
       double
       damping_power(const SideEnd &end, const double weight) const
       {
-        return law.damping() == 0. ?
+        return !law.is_damped() ?
                  0. :
-                 elastic_mean(end, weight) * (damping_factor(end) - 1.) *
+                 (mean(end, weight) - elastic_mean(end, weight)) *
                    velocity(end);
       }
 
@@ -105,7 +114,9 @@ namespace ThermoContact
         if (!(largest > 0.))
           return 0.;
         const double stiffness = damping_factor(end) / law.tangent(largest);
-        return std::max(0., 1. - 2. / (response * size * stiffness));
+        return std::max(0.,
+                        1. - 2. * (1. + response * law.dashpot()) /
+                               (response * size * stiffness));
       }
 
     private:

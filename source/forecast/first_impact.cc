@@ -51,8 +51,8 @@ namespace ThermoContact
   {
     const Material   &material = scene.material;
     const ContactLaw &law      = *scene.contact.law;
-    if (!law.is_active() || law.damping() > 0. ||
-        scene.contact.is_two_sided() || scene.row.is_given() || !material.has_inertia() ||
+    if (!law.is_active() || law.is_damped() || scene.contact.is_two_sided() ||
+        scene.row.is_given() || !material.has_inertia() ||
         scene.parameters.dimension > 1 || scene.sources.any())
       return {};
     // a wave has run four times through the rod, or the rod has crept

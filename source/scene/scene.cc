@@ -268,7 +268,7 @@ namespace ThermoContact
         return false; // its mass matrix knows no single nodes, or they carry it
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
-      if (law.damping() > 0.)
+      if (law.is_damped())
         return false; // it acts on what has inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
@@ -315,8 +315,8 @@ namespace ThermoContact
                                                           has_prescribed_start);
       contact.nodes_oscillate =
         material.has_inertia() && !contact.has_massless_nodes &&
-        contact.law->compliance() && contact.law->damping() == 0. &&
-        !row.is_given() && contact_nodes_oscillate(parameters, *contact.law);
+        contact.law->compliance() && !row.is_given() &&
+        contact_nodes_oscillate(parameters, *contact.law);
       contact.order = material.has_inertia() && !contact.has_massless_nodes ?
                         NodeOrder::inertial :
                       material.has_viscosity() && scheme.has_viscous_contact ?
@@ -503,7 +503,7 @@ namespace ThermoContact
     add_if(law.is_active(),
            law.is_rigid() ? "rigid contact" :
                             scene.parameters.contact.condition);
-    add_if(law.damping() > 0., "damped contact");
+    add_if(law.is_damped(), "damped contact");
     add_if(scene.contact.is_two_sided(), "two stops");
     add_if(scene.contact.has_massless_nodes, "massless contact nodes");
     add_if(scene.has_lumped_mass && (has_temperature || material.has_inertia()),

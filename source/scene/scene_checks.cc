@@ -90,10 +90,12 @@ namespace ThermoContact
                rear_gap,
                text("above ", -gap, ", minus Contact/Gap"),
                "a larger one: the stops overlap");
-      const double damping = scene.contact.law->damping();
-      if (damping == 0.)
+      if (!scene.contact.law->is_damped())
         return;
-      const Refusal damped{"Contact/Damping", text(damping), "0"};
+      const double  c      = scene.contact.law->damping();
+      const double  d      = scene.contact.law->dashpot();
+      const Refusal damped = c > 0. ? Refusal{"Contact/Damping", text(c), "0"} :
+                                      Refusal{"Contact/Dashpot", text(d), "0"};
       damped.since(scene.is_fixed_point,
                    "Solver/Step solver = fixed point",
                    "Solver/Step solver = monolithic: the iteration of the "
@@ -109,6 +111,17 @@ namespace ThermoContact
                    "Contact/Massless nodes = automatic: nodes without mass and "
                    "viscosity are in equilibrium at all times, which a damped "
                    "obstacle does not leave them");
+      if (d == 0.)
+        return;
+      const Refusal dashpot{"Contact/Dashpot", text(d), "0"};
+      dashpot.since(scene.contact.has_massless_nodes,
+                    "Contact/Massless nodes = on",
+                    "Contact/Massless nodes = automatic: a dashpot stops a "
+                    "node without mass at once");
+      dashpot.since(scene.material.is_static(),
+                    "Model/Inertia = 0 and Model/Viscosity = 0",
+                    "Model/Viscosity above 0: a dashpot stops a body without "
+                    "inertia and viscosity at once");
     }
 
 

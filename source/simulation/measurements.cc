@@ -201,10 +201,11 @@ namespace ThermoContact
     record.contact_force          = end.mean(state.contact_pressure);
     record.penetration            = body.law().penetration(largest_pressure);
     record.in_contact             = largest_pressure > 0.;
-    if (body.law().damping() > 0.)
+    if (body.law().is_damped())
       {
         record.penetration = std::max(0., 0. - record.gap);
-        record.in_contact  = record.penetration > 0.;
+        if (!body.law().ends_with_pressure())
+          record.in_contact = record.penetration > 0.;
       }
     record.stress_end = mean_traction() - record.contact_force;
     if (const auto &right = body.scene.parameters.boundary.right;

@@ -218,7 +218,8 @@ namespace ThermoContact
   template <int dim>
   void
   Reset<dim>::set_velocity_of_viscous_body(const std::vector<bool> &is_closed,
-                                           State                   &state)
+                                           State                   &state,
+                                           const bool               touches)
   {
     const double viscosity = body.scene.material.viscosity;
     const double factor    = (viscosity + 1.) / viscosity;
@@ -237,13 +238,16 @@ namespace ThermoContact
                   state.contact_pressure.end(),
                   0.);
       }
-    else if (body.law().damping() > 0.)
+    else if (body.law().is_damped())
       {
         get_node_laws(body, state, laws, position);
         for (unsigned int i = 0; i < laws.size(); ++i)
           {
             laws[i].is_in_velocity = true; // of nodes that stay where they are
             laws[i].start          = position[i];
+            if (touches)
+              laws[i].start =
+                laws[i].side * std::max(laws[i].side * position[i], 0.);
           }
       }
     else // the pressure follows from the displacement alone
@@ -649,11 +653,12 @@ namespace ThermoContact
   Reset<dim>::settle_velocities(const std::vector<bool> &is_closed,
                                 State                   &state)
   {
-    const bool is_damped = body.law().damping() > 0.;
+    const bool is_damped = body.law().is_damped();
     const bool is_viscous_at_rigid =
       body.law().is_rigid() && body.scene.contact.order == NodeOrder::viscous;
-    if (!is_damped && !is_viscous_at_rigid)
-      return;
+    if ((!is_damped && !is_viscous_at_rigid) ||
+        (body.scene.has_midpoint_mass && body.law().dashpot() > 0.))
+      return; // of waves the next step knows
     if (!body.scene.material.has_inertia())
       set_velocity_of_viscous_body(is_closed, state);
     else if (is_damped)
@@ -699,7 +704,7 @@ namespace ThermoContact
                                state);
     double work = 0.;
     if (is_event && body.scene.contact.is_in_equilibrium() &&
-        body.law().damping() == 0.) // else velocities carry pressure, too
+        !body.law().is_damped()) // else velocities carry pressure, too
       {
         changed = true;
         std::vector<unsigned int> closing; // the others know it by pressure
@@ -713,7 +718,13 @@ namespace ThermoContact
     else if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {
         changed = true;
-        set_pressures_of_law(body, state);
+        // a dashpot pushes at once
+        const bool is_held =
+          body.law().dashpot() > 0. && finding.changes_all_nodes;
+        if (is_held && !body.scene.material.has_inertia())
+          set_velocity_of_viscous_body({}, state, is_held);
+        else
+          set_pressures_of_law(body, state, is_held);
       }
     if (changed || (is_event && mode == ContactMode::closed))
       set_exchange_of_law(body, state);

@@ -20,10 +20,9 @@ namespace ThermoContact
     {
       const ContactLaw &law = *scene.contact.law;
       return scene.parameters.dimension == 1 && scene.scheme.order > 1 &&
-             !scene.row.is_given() &&
-             !scene.scheme.has_mean_velocity &&
+             !scene.row.is_given() && !scene.scheme.has_mean_velocity &&
              !scene.scheme.has_no_dispersion && !law.is_rigid() &&
-             law.damping() == 0. && !scene.contact.is_two_sided();
+             !law.is_damped() && !scene.contact.is_two_sided();
     }
   } // namespace
 

@@ -120,6 +120,20 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  Energy<dim>::obstacle_energy(const State &state) const
+  {
+    const std::vector<double> &pressure =
+      elastic_pressures(state, end_pressure);
+    double sum = 0.;
+    for (unsigned int i = 0; i < pressure.size(); ++i)
+      sum += discretization.contact_end().share(i) * law.energy(pressure[i]);
+    return sum;
+  }
+
+
+
+  template <int dim>
   EnergyTerms
   Energy<dim>::energy(const State &state) const
   {
@@ -132,11 +146,7 @@ namespace ThermoContact
     terms.elastic =
       0.5 *
       form(Field::displacement, stage_operator.stiffness, state.displacement);
-    const std::vector<double> &pressure =
-      elastic_pressures(state, end_pressure);
-    for (unsigned int i = 0; i < pressure.size(); ++i)
-      terms.obstacle +=
-        discretization.contact_end().share(i) * law.energy(pressure[i]);
+    terms.obstacle = obstacle_energy(state);
     if (material.has_thermal_stress())
       terms.coupling = -material.thermal_stress *
                        (steady_stress * state.displacement) /
@@ -326,7 +336,7 @@ namespace ThermoContact
   Energy<dim>::elastic_pressures(const State         &state,
                                  std::vector<double> &scratch) const
   {
-    if (law.damping() == 0.)
+    if (!law.is_damped())
       return state.contact_pressure;
     const ContactEnd<dim> &end = discretization.contact_end();
     end.get_values(Field::displacement, state.velocity, end_velocity);
@@ -352,7 +362,7 @@ namespace ThermoContact
   double
   Energy<dim>::damping_rate(const State &state) const
   {
-    if (law.damping() == 0.)
+    if (!law.is_damped())
       return 0.;
     const std::vector<double> &elastic = elastic_pressures(state, end_pressure);
     double                     rate    = 0.;

@@ -66,7 +66,7 @@ namespace ThermoContact
                  std::vector<NodeLaw>   &laws,
                  std::vector<double>    &start)
   {
-    const bool is_in_velocity = body.law().damping() > 0.;
+    const bool is_in_velocity = body.law().is_damped();
     get_node_laws(body, known, laws, start);
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
@@ -164,8 +164,9 @@ namespace ThermoContact
                                  state.known_penetration[i];
       }
     values.pressure = state.contact_pressure;
-    // a damped obstacle is left where the penetration ends
-    if (contact.law->damping() == 0.)
+    // a damped obstacle is left where the penetration ends, but for one whose
+    // dashpot does not pull
+    if (!contact.law->is_damped() || contact.law->ends_with_pressure())
       return;
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -225,7 +226,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  set_pressures_of_law(const Body<dim> &body, State &state)
+  set_pressures_of_law(const Body<dim> &body, State &state, const bool is_held)
   {
     std::vector<NodeLaw> laws;
     std::vector<double>  position, velocity;
@@ -234,7 +235,14 @@ namespace ThermoContact
                                   state.velocity,
                                   velocity);
     for (unsigned int i = 0; i < laws.size(); ++i)
-      state.contact_pressure[i] = laws[i].pressure_at(position[i], velocity[i]);
+      {
+        laws[i].is_held = is_held;
+        // waves change the velocity of an end at a dashpot in the next step
+        state.contact_pressure[i] =
+          body.scene.has_midpoint_mass && body.law().dashpot() > 0. ?
+            laws[i].elastic_pressure(position[i]) :
+            laws[i].pressure_at(position[i], velocity[i]);
+      }
   }
 
 
@@ -269,7 +277,7 @@ namespace ThermoContact
   template double displacement_of_law(const Body<dim> &,       \
                                       const State &,           \
                                       const unsigned int);     \
-  template void   set_pressures_of_law(const Body<dim> &, State &)
+  template void   set_pressures_of_law(const Body<dim> &, State &, const bool)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

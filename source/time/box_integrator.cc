@@ -334,9 +334,9 @@ namespace ThermoContact
     const double p = state.contact_pressure[c];
     // the pressure has more digits than the difference of displacement and gap
     const auto start = [&](const double penetration, const double pressure) {
-      return law.damping() > 0. ? penetration :
-             pressure > 0.      ? law.penetration(pressure) :
-                                  std::min(penetration, 0.);
+      return law.is_damped() ? penetration :
+             pressure > 0.   ? law.penetration(pressure) :
+                               std::min(penetration, 0.);
     };
     StepPath path;
     path.size       = size;
@@ -405,14 +405,13 @@ namespace ThermoContact
           impedance * (next ? side * next->before : arriving - rate);
         end.end_pressure = side * end.stopping > 0. ? end.stopping : 0.;
       }
-    if (law.damping() > 0. && contact.end_pressure != 0.)
+    if (law.is_damped() && contact.end_pressure != 0.)
       {
         const double elastic = std::abs(contact.end_pressure);
-        end.end_pressure     = side *
-                           std::max(0.,
-                                    elastic + law.damping() * elastic * side *
-                                                (arriving - rate)) /
-                           (1. + law.damping() * elastic / impedance);
+        const double damping = law.damping() * elastic + law.dashpot();
+        end.end_pressure =
+          side * std::max(0., elastic + damping * side * (arriving - rate)) /
+          (1. + damping / impedance);
       }
     end.end_velocity = arriving - end.end_pressure / impedance;
   }
@@ -743,7 +742,7 @@ namespace ThermoContact
       {
         const EndContact &end         = ends[c];
         new_state.contact_pressure[c] = end.end_pressure;
-        if (body.law().damping() > 0.)
+        if (body.law().is_damped())
           continue;
         // on the obstacle to the last digit, and never behind it
         const double u = contacts[c].sum([&](const ContactSide &side) {
@@ -932,13 +931,13 @@ namespace ThermoContact
     const ContactLaw &law       = body.law();
     const Contact    &contact   = contacts[c];
     const bool        has_waves = contact.has_waves();
-    const bool        is_damped = law.damping() > 0.;
-    const double      before    = !is_damped      ? state.contact_pressure[c] :
+    const bool   by_pressure    = !law.is_damped() || law.ends_with_pressure();
+    const double before         = by_pressure     ? state.contact_pressure[c] :
                                   path.rear > 0.  ? -path.rear :
                                   path.front > 0. ? path.front :
                                                     0.;
-    const double      after =
-      is_damped ? end.contact.end_pressure : end.end_pressure;
+    const double after =
+      by_pressure ? end.end_pressure : end.contact.end_pressure;
     if ((before != 0.) == (after != 0.))
       return std::nullopt;
 
@@ -988,10 +987,19 @@ namespace ThermoContact
     };
     if (before == 0.)
       return at_surface(end.free_velocity - rate);
-    if (!law.is_rigid() && end.contact.weight == 0.)
+    if (!law.ends_with_pressure() && end.contact.weight == 0.)
       return at_surface(end.contact.velocity - rate);
     if (const auto &now = end.releases.now)
       return at(now->part, has_waves ? leaving : now->side * now->after);
+    if (law.dashpot() > 0.)
+      {
+        const double pull =
+          law.held_pressure(std::max(0.,
+                                     start + path.size * side *
+                                               (end.contact.velocity - rate)),
+                            side * (end.end_velocity - rate));
+        return at(before / (before - side * pull), end.end_velocity - rate);
+      }
 
     // pressures that stop the end before this step, and at its end
     const double stopped  = state.contact_pressure[c];

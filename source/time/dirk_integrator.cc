@@ -171,7 +171,27 @@ namespace ThermoContact
       result.numerical_dissipation =
         body.energy.numerical_dissipation(state, result.state);
     else
-      result.close_balance();
+      {
+        // no sum over stages, whose lengths only the motion decides
+        if (body.law().dashpot() > 0. && !pushes())
+          result.contact_dissipation =
+            body.energy.obstacle_energy(state) -
+            body.energy.obstacle_energy(result.state);
+        result.close_balance();
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  DirkIntegrator<dim>::pushes() const
+  {
+    for (unsigned int i = 0; i < tableau->n_stages(); ++i)
+      for (const double pressure : stages[i].pressure)
+        if (pressure != 0.)
+          return true;
+    return false;
   }
 
 

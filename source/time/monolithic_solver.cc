@@ -260,7 +260,7 @@ namespace ThermoContact
               rates.pressure.begin());
     const FullMatrix<double> &displacement_response = response();
     rates.n_iterations =
-      problem.solve(body.law().damping() > 0. ?
+      problem.solve(body.law().is_damped() ?
                       factorizations.front().end.velocity_by_pressure :
                       displacement_response,
                     laws,
@@ -281,7 +281,7 @@ namespace ThermoContact
     const double           tau      = factorizations.front().tau;
     const ContactEnd<dim> &end      = body.contact_end();
     response.free                   = free;
-    response.x_per_displacement     = body.law().damping() > 0. ? 1. / tau : 1.;
+    response.x_per_displacement     = body.law().is_damped() ? 1. / tau : 1.;
     end.get_values(Field::temperature, known.temperature, known_values);
     end.get_values(Field::temperature,
                    rates.temperature_rate,
@@ -438,7 +438,7 @@ namespace ThermoContact
   MonolithicSolver<dim>::has_lost_digits(const State      &known,
                                          const StageRates &rates)
   {
-    if (body.law().damping() > 0.)
+    if (body.law().is_damped())
       return false; // not a body in equilibrium with its obstacle
     const double tau        = factorizations.front().tau;
     double       free_moved = 0.;

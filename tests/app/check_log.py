@@ -150,7 +150,8 @@ def time_scales(settings):
             ("wave", b**0.5), ("viscous", zeta),
             ("contact", max((epsilon**2 * b * zeta)**(1 / 3), epsilon * b**0.5)
              if settings["Contact/Condition"] == "normal compliance" and not
-             settings.number("Contact/Damping") else 0)) if value)
+             settings.number("Contact/Damping") and not
+             settings.number("Contact/Dashpot") else 0)) if value)
 
 
 def faults_of_scales(run):

@@ -77,6 +77,19 @@ SCENES = [
      "Model/Viscosity=0", "Model/Viscosity=1e-3",
      ("Model/Viscosity=0", "Contact/Damping=0"),
      ("Model/Viscosity=0", "Contact/Massless nodes=automatic")),
+    ("Contact/Dashpot", (), "Contact/Dashpot=-1e-9", "Contact/Dashpot=0",
+     "Contact/Dashpot=1e3"),
+    *[("Contact/Dashpot", scene + condition, "Contact/Dashpot=1e-3", "Contact/Dashpot=0")
+      for condition in ((), ("Contact/Condition=power law", "Contact/Exponent=1"))
+      for scene in (CONSERVING, ITERATION)],
+    ("Contact/Dashpot", ("Contact/Dashpot=0.5",),
+     "Contact/Massless nodes=on", "Contact/Massless nodes=automatic",
+     ("Contact/Massless nodes=on", "Contact/Dashpot=0"),
+     ("Contact/Massless nodes=on", "Contact/Dashpot=0", "Contact/Damping=0.5")),
+    ("Contact/Dashpot", ("Model/Inertia=0", "Model/Viscosity=0"),
+     "Contact/Dashpot=0.5", "Contact/Dashpot=0", "Contact/Damping=0.5",
+     ("Contact/Dashpot=0.5", "Model/Viscosity=0.1"),
+     ("Contact/Dashpot=0.5", "Model/Inertia=1")),
     # an obstacle whose temperature varies
     ("Boundary/right/Surroundings", (), "Boundary/right/Surroundings=5*sin(t",
      "Boundary/right/Surroundings=5*sin(t)", "Boundary/right/Surroundings=-5"),

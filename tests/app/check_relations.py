@@ -122,7 +122,7 @@ def scaled(scene):
         ("Contact/Gap",) if "Contact/Gap" in scene else ()))
     if "Contact/Rear gap" in scene:
         other["Contact/Rear gap"] = str(2 * float(scene["Contact/Rear gap"]))
-    if "Contact/Damping" in scene:
+    if "Contact/Damping" in scene:  # a dashpot is as it was
         other["Contact/Damping"] = str(float(scene["Contact/Damping"]) / 2)
     if "Boundary/right/Heat exchange" in scene:
         other["Boundary/right/Heat exchange"] = scene["Boundary/right/Heat exchange"].replace(
@@ -178,7 +178,7 @@ def fixed_point(scene):
     if not moves(scene) or not has_heat(scene) or scene["Dimension"] != "1" or \
             exchange_varies(scene) or scene["Contact/Condition"] not in ("none", "normal compliance"):
         return None
-    left_out = ("Time/Tolerance", "Output/Period", "Contact/Damping")
+    left_out = ("Time/Tolerance", "Output/Period", "Contact/Damping", "Contact/Dashpot")
     paper = {key: value for key, value in scene.items() if key not in left_out} | {
         "Time/Scheme": "backward euler", "Time/Step size": "0.005", "Model/Inertia": "1",
         "Time/Start": "consistent"} | (

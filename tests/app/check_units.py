@@ -90,6 +90,7 @@ def check_quantities():
         "Boundary/sides/Heat exchange": ("900", "0.9 kW/(m^3 K)", 900 * L**2 / KAPPA),
         "Boundary/sides/Surroundings": ("290", "16.85 celsius", -10 / theta),
         "Contact/Damping": ("0.2", "0.2 ms/mm", 0.2 * L / t),
+        "Contact/Dashpot": ("4e3", "4 N s/mm", 4e3 * L / (E * A * t)),
         "Contact/Gap": ("3e-4", "0.3 mm", 3e-4 / L),
         "Contact/Rear gap": ("5e-4", "500 \u00b5m", 5e-4 / L),
         "Initial values/Temperature": ("310", "36.85 degC", 10 / theta),

@@ -89,8 +89,8 @@ def draw_motion(r, s, heat):
         s["Contact/Gap"] = r.choice(["0.05", "0.1", "0.1", "0.08+0.02*cos(4*t)"])
         if s["Contact/Condition"] != "rigid":
             s["Contact/Compliance"] = r.choice(["0.1", "0.03", "1"])
-            if r.random() < 0.3:
-                s["Contact/Damping"] = "0.5"
+            if (drawn := r.random()) < 0.3:
+                s["Contact/Damping" if drawn < 0.2 else "Contact/Dashpot"] = "0.5"
         if s["Contact/Condition"] == "power law":
             s["Contact/Exponent"] = "1.5"
         if r.random() < 0.3:
@@ -103,7 +103,7 @@ def draw_motion(r, s, heat):
         s["Boundary/left/Displacement"] = "0.03*(1-cos(5*t))"
     if not heat and s["Model/Inertia"] != "0" and s.get("Time/Scheme", "").startswith(
             "sdirk") and s["Contact/Condition"] in ("normal compliance", "rigid") and not {
-                "Contact/Damping", "Boundary/left/Displacement"} & set(s):
+                "Contact/Damping", "Contact/Dashpot", "Boundary/left/Displacement"} & set(s):
         s |= {"Time/Scheme": "energy conserving", "Initial values/Velocity": "x"}
     if s["Dimension"] != "1" and s.get("Contact/Gap") == "0.1" and "Contact/Rear gap" not in s:
         s["Contact/Gap"] = "0.05+0.5*(y-0.03)^2"

@@ -24,7 +24,8 @@ class WideScene(dict):
             self.draw_heat()
         one_node = self["Mesh/Cells"] == self["Mesh/Degree"] == 1
         if self.get("Model/Inertia") and not one_node and self.happens(0.2) and (
-                self["Model/Viscosity"] or "Contact/Damping" not in self):
+                self["Model/Viscosity"] or "Contact/Damping" not in self) and (
+                "Contact/Dashpot" not in self):
             self["Contact/Massless nodes"] = "on"
         if seed % 5 == 2 and self.get("Model/Inertia") and not self.is_plane:
             self.take_box()
@@ -165,7 +166,10 @@ class WideScene(dict):
                 self["Contact/Compliance"] = self.number(1e-2, 1)
                 self["Contact/Exponent"] = self.pick(1.5, 2, 3)
             if not conserves and self.happens(0.3):
-                self["Contact/Damping"] = self.number(0.01, 10, 1e-6, 1e6)
+                damping = self.number(0.01, 10, 1e-6, 1e6)
+                can_have_dashpot = self.get("Model/Inertia") or self["Model/Viscosity"]
+                self[random.Random(damping).choice(("Contact/Damping", "Contact/Dashpot"))
+                     if can_have_dashpot else "Contact/Damping"] = damping
         self["Contact/Gap"] = gap
         size = self.signed(1e-3, 1)
         if self.happens(0.3):

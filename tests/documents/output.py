@@ -30,7 +30,7 @@ SCENES = {
     "heat": {**SHORT, "Model/Fields": "temperature"},
     "motion": {**SHORT, "Model/Fields": "displacement", "Contact/Condition": "none"},
     "switch": {**SHORT, "Boundary/right/Heat exchange": "1+gap"},
-    "damped": {**SHORT, "Contact/Damping": "0.5", "Contact/Rear gap": "0.5"},
+    "damped": {**SHORT, "Contact/Dashpot": "0.5", "Contact/Rear gap": "0.5"},
     "conserving": {**SHORT, "Time/Scheme": "energy conserving"},
     "slow": {**SHORT, "Model/Inertia": "0", "Model/Viscosity": "0",
              "Initial values/Temperature": "theta_A"},

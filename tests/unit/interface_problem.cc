@@ -16,6 +16,12 @@
 //        z = -1: 1 + c v < 0, p = 0. tau = 0, start 1, v = 1/2: p = 2 * 2 = 4,
 //        r = 1/8, z = 1. Held, start 1/4, v = -1/2: s = -1/4, p = -1/2 (1 -
 //        2/4) = -1/4, r = 1 leaves it of -3/4
+//      dashpot, eps = 1/2, d = 1/2, tau = 1: start -1, v = 3/2 has p = 1 + 3/4
+//        = 7/4, r = 2 leaves it of z = 5; at v = 1 the graph is vertical up to
+//        1/2, so that z = 5/4 and r = 1 have p = 1/4. Start 1, z = -9/10: p =
+//        1/5 - 9/20 < 0: 0. tau = 1/2, v = -4/5: s = 3/5, p = 6/5 - 2/5 = 4/5,
+//        r = 1, z = 0. tau = 0, start 1/8, v = -1: 1/4 - 1/2 < 0: 0; held -1/4,
+//        r = 1, z = -5/4
 //      mean, eps = 1, r = 2: from -1 to -0.5: 0; from 1, z 3: s = 1, p = 1;
 //        from 0, z 4: s = 2, p = 1; from -1, z 3.5: 2 s^2 - 2.5 s - 3.5 = 0,
 //        s = (2.5 + sqrt(34.25))/4, p = (3.5 - s)/2 = 0.70595625; from 1, z
@@ -58,10 +64,10 @@ namespace
   using Values = std::vector<double>;
 
   std::unique_ptr<const ContactLaw>
-  linear(const double eps, const double c = 0.)
+  linear(const double eps, const double c = 0., const double d = 0.)
   {
     return contact_law("normal compliance")
-      .make({{"Compliance", eps}, {"Damping", c}});
+      .make({{"Compliance", eps}, {"Damping", c}, {"Dashpot", d}});
   }
 
   std::unique_ptr<const ContactLaw>
@@ -125,6 +131,18 @@ namespace
             << damped(*law, 3., 1.).resolve(-1., 1.).pressure << ", in place "
             << damped(*law, 1., 0.).resolve(1., 0.125).pressure << ", held "
             << damped(*law, 0.25, 1., true).resolve(-0.75, 1.).pressure
+            << std::endl;
+    const auto buffer = linear(0.5, 0., 0.5);
+    deallog << "dashpot: closing "
+            << damped(*buffer, -1., 1.).resolve(5., 2.).pressure
+            << ", touching "
+            << damped(*buffer, -1., 1.).resolve(1.25, 1.).pressure
+            << ", left behind "
+            << damped(*buffer, 1., 1.).resolve(-0.9, 1.).pressure
+            << ", opening " << damped(*buffer, 1., 0.5).resolve(0., 1.).pressure
+            << ", in place "
+            << damped(*buffer, 0.125, 0.).resolve(-1., 1.).pressure << ", held "
+            << damped(*buffer, 0.125, 0., true).resolve(-1.25, 1.).pressure
             << std::endl;
     deallog << "mean: " << mean(*soft, -1., -0.5, 2.) << ' '
             << mean(*soft, 1., 3., 2.) << ' ' << mean(*soft, 0., 4., 2.) << ' '
@@ -214,8 +232,10 @@ namespace
             kind == 3 ? contact_law("power law")
                           .make({{"Compliance", eps},
                                  {"Exponent", exponents[generator() % 5]},
-                                 {"Damping", 0.}}) :
-                        linear(eps, ten_to(-2., 2.) / scale));
+                                 {"Damping", 0.},
+                                 {"Dashpot", 0.}}) :
+            i % 2 ? linear(eps, ten_to(-2., 2.) / scale) :
+                    linear(eps, 0., ten_to(-2., 2.) / W(i, i)));
           laws.emplace_back(*obstacles.back());
           NodeLaw &law = laws.back();
           if (kind == 4)
@@ -238,11 +258,16 @@ namespace
     if (law.is_held && s < 0.)
       return law.is_in_velocity ?
                -law.law->pressure(-s) *
-                 std::max(0., 1. - law.law->damping() * law.start / law.tau) :
+                   std::max(0., 1. - law.law->damping() * law.start / law.tau) +
+                 law.law->dashpot() * x :
                -law.law->pressure(-s);
     const double v = law.is_in_velocity ? x : 0.;
+    if (law.is_held)
+      return law.is_in_velocity && law.law->dashpot() > 0. ?
+               law.law->pressure(s) + law.law->dashpot() * v :
+               law.law->damped_pressure(s, v);
     return law.law->damped_pressure(s, v) -
-           (law.is_held ? 0. : law.law->damped_pressure(-s - law.play, -v));
+           law.law->damped_pressure(-s - law.play, -v);
   }
 
   /** How far (x, p) is from the graph, in units of x; r steepens p. */
@@ -330,14 +355,19 @@ namespace
   void
   test_slopes()
   {
-    const auto power =
-      contact_law("power law")
-        .make({{"Compliance", 0.3}, {"Exponent", 2.}, {"Damping", 0.}});
-    const auto soft = linear(0.4), wall = rigid(), lossy = linear(0.4, 2.);
+    const auto power = contact_law("power law")
+                         .make({{"Compliance", 0.3},
+                                {"Exponent", 2.},
+                                {"Damping", 0.},
+                                {"Dashpot", 0.}});
+    const auto soft = linear(0.4), wall = rigid(), lossy = linear(0.4, 2.),
+               buffer         = linear(0.4, 2., 3.);
     std::vector<NodeLaw> laws = {NodeLaw(*power),
                                  NodeLaw(*soft),
                                  NodeLaw(*wall),
-                                 damped(*lossy, -0.2, 0.5)};
+                                 damped(*lossy, -0.2, 0.5),
+                                 damped(*buffer, -0.2, 0.5),
+                                 damped(*buffer, 0.2, 0.5, true)};
     NodeLaw              two(*power);
     two.play        = 0.1;
     NodeLaw means   = NodeLaw(*power);

@@ -5,6 +5,7 @@
 
 #include <thermocontact/contact/interface_law.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -51,9 +52,13 @@ namespace ThermoContact
   class ContactLaw : public InterfaceLaw
   {
   public:
-    /** @param damping $c\ge0$ of the factor $[1+cv]_+$, doc/model.md (M4.2) */
-    explicit ContactLaw(const double damping = 0.)
+    /**
+     * @param damping,dashpot $c,d\ge0$, doc/model.md (M4.2):
+     *   $p=[\varphi(s)[1+cv]_++dv]_+$ where $s\ge0$
+     */
+    explicit ContactLaw(const double damping = 0., const double dashpot = 0.)
       : damping_(damping)
+      , dashpot_(dashpot)
     {}
 
     /** The obstacle with its numbers, for the screen. */
@@ -74,21 +79,53 @@ namespace ThermoContact
       return false;
     }
 
-    /**
-     * $c$. Where it is positive, all else here is the elastic law at $v=0$, its
-     * resolvent, too.
-     */
+    /** $c$. */
     double
     damping() const
     {
       return damping_;
     }
 
+    /** $d$. */
+    double
+    dashpot() const
+    {
+      return dashpot_;
+    }
+
+    /**
+     * The pressure depends on the velocity. Then all else here is the elastic
+     * law at $v=0$, its resolvent, too.
+     */
+    bool
+    is_damped() const
+    {
+      return damping_ > 0. || dashpot_ > 0.;
+    }
+
+    /**
+     * Contact ends with the pressure, and not with the penetration alone: a
+     * dashpot has pressure at the first touch, and none where the node leaves
+     * faster than the obstacle follows.
+     */
+    bool
+    ends_with_pressure() const
+    {
+      return is_rigid() || dashpot_ > 0.;
+    }
+
     /** True if the pressure is proportional to the penetration. */
     bool
     is_linear() const
     {
-      return damping_ == 0. && has_constant_tangent();
+      return !is_damped() && has_constant_tangent();
+    }
+
+    /** $[1+cv]_+$. */
+    double
+    velocity_factor(const double v) const
+    {
+      return std::max(0., 1. + damping_ * v);
     }
 
     /**
@@ -101,6 +138,18 @@ namespace ThermoContact
     /** Pressure that a penetration causes, at the normal velocity @p v. */
     double
     damped_pressure(const double penetration, const double v) const;
+
+    /** The same of a node that is held: odd in the penetration at rest, and of
+     * either sign. */
+    double
+    held_pressure(const double penetration, const double v) const;
+
+    /**
+     * Impulse of the pressure on the way from the surface to a penetration, at
+     * one velocity, times this velocity: its work.
+     */
+    double
+    work_to(const double penetration, const double v) const;
 
     /** $s(p)$; odd, for the pressures of either sign of a held contact. */
     virtual double
@@ -177,6 +226,7 @@ namespace ThermoContact
 
   private:
     const double damping_;
+    const double dashpot_;
   };
 
 
@@ -283,12 +333,15 @@ namespace ThermoContact
   ContactLawParameters
   default_law_parameters();
 
-  // entries of several laws: $\varepsilon>0$ and $c\ge0$
+  // entries of several laws: $\varepsilon>0$, $c\ge0$ and $d\ge0$
   ContactLawEntry
   compliance_entry();
 
   ContactLawEntry
   damping_entry();
+
+  ContactLawEntry
+  dashpot_entry();
 
   // kinds that are asked for by name
   ContactLawKind

@@ -86,8 +86,8 @@ namespace ThermoContact
     Side rear;  ///< behind the nodes, $-u_n-g_2$, $-v_n$
 
     /**
-     * Of either sign in a closed step. With damping the pressure of the
-     * penetration at rest, of its sign, in all steps.
+     * Of either sign in a closed step. With damping, but for a dashpot, the
+     * pressure of the penetration at rest, of its sign, in all steps.
      */
     std::vector<double> pressure;
 
@@ -396,7 +396,7 @@ namespace ThermoContact
     bool
     is_margin_pressure() const
     {
-      return mode_ == ContactMode::closed && law.is_rigid();
+      return mode_ == ContactMode::closed && law.ends_with_pressure();
     }
 
     /** Margin s of a node over the step. */
@@ -436,6 +436,18 @@ namespace ThermoContact
 
     ContactMode
     mode_of(const ContactValues &values) const;
+
+    /**
+     * The same of nodes without pressure: the law has to say whether one that
+     * leaves faster than a dashpot follows comes back before it is outside.
+     */
+    ContactMode
+    mode_without_pressure(const ContactValues &values) const;
+
+    /** What vanishes where contact of a node begins or ends, for interpolation:
+     * its gap, or minus its pressure within an obstacle with a dashpot. */
+    double
+    way_to_contact(const LocalValues &local, const unsigned int node) const;
 
     void
     add_event(const ContactEvent &event, std::vector<ContactEvent> &events);

@@ -114,11 +114,11 @@ namespace ThermoContact
 
   /**
    * A damped obstacle in a stage of length $\tau$, in the plane of velocity and
-   * pressure: $p=\varphi(s)[1+cv]_+$ at $s=\tilde s+\tau v$,
+   * pressure: $p=[\varphi(s)[1+cv]_++dv]_+$ at $s=\tilde s+\tau v\ge0$,
    * doc/contact-in-time.md (C2.7). The velocity is the unknown, since a
    * difference of penetrations has lost its digits in short stages. Held closed
-   * it goes on with
-   * $-\varphi(-s)[1+cv_0]_+$, where $v_0$ leads to $s=0$.
+   * it has either sign, and goes on with
+   * $-\varphi(-s)[1+cv_0]_++dv$, where $v_0$ leads to $s=0$.
    */
   class Damped : public InterfaceLaw
   {
@@ -142,14 +142,16 @@ namespace ThermoContact
     NodalPressure
     resolve(const double z, const double r) const override;
 
-    double
-    pressure(const double v) const;
-
   private:
     const ContactLaw &law;
     const double      start;
     const double      tau;
     const bool        is_held;
+
+    // of the law without its dashpot
+
+    double
+    pressure(const double v) const;
 
     double
     penetration(const double v) const
@@ -321,8 +323,8 @@ namespace ThermoContact
                                                                           1;
     }
 
-    /** The pressure at a position of a node with this velocity, not relative.
-     */
+    /** The pressure at a position of a node with this velocity, not relative;
+     * of a node that is held of either sign. */
     double
     pressure_at(const double position, const double velocity) const;
 
@@ -362,12 +364,11 @@ namespace ThermoContact
     continued_pressure(const double position) const;
 
     /**
-     * $\varphi(s)$ of a node with this pressure, of either sign,
-     * $p=\varphi(s)\,[1+c\,v]_+$, (M4.2): the obstacle stores its energy. At a
-     * hard obstacle s has few digits, and $p-\varphi(s)$ would have none: then
-     * it is $p/(1+c\,v)$. A node that goes in without a pressure does not know
-     * of the obstacle yet, in a step that is held open and misses the begin of
-     * contact by s: zero.
+     * $\varphi(s)$ of a node with this pressure, of either sign, (M4.2): the
+     * obstacle stores its energy. At a hard obstacle s has few digits, and
+     * $p-\varphi(s)$ would have none: then it is $(p-d\,v)/(1+c\,v)$. A node
+     * that goes in without a pressure does not know of the obstacle yet, in a
+     * step that is held open and misses the begin of contact by s: zero.
      *
      * @param velocity of the node, not relative
      * @param rounding of the position

@@ -232,7 +232,8 @@ namespace ThermoContact
      */
     void
     set_velocity_of_viscous_body(const std::vector<bool> &is_closed,
-                                 State                   &state);
+                                 State                   &state,
+                                 const bool               touches = false);
 
     /**
      * The pressures become those with which nodes with mass that a rigid

@@ -60,6 +60,10 @@ namespace ThermoContact
     EnergyTerms
     energy(const State &state) const;
 
+    /** The part of it that the obstacle stores; not that of rank 0. */
+    double
+    obstacle_energy(const State &state) const;
+
     /**
      * The quadratic terms of (M2.2) of a difference between two states at the
      * same time: half the squares of its norms in the energy. The difference

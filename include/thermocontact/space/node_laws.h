@@ -127,10 +127,14 @@ namespace ThermoContact
   /**
    * The pressures become those of displacements and velocities, as the law
    * says; 0 where it says nothing, as for a rigid obstacle. Collective.
+   *
+   * @param is_held the nodes are as good as in contact
    */
   template <int dim>
   void
-  set_pressures_of_law(const Body<dim> &body, State &state);
+  set_pressures_of_law(const Body<dim> &body,
+                       State           &state,
+                       const bool       is_held = false);
 } // namespace ThermoContact
 
 #endif

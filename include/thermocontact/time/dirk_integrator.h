@@ -109,6 +109,10 @@ namespace ThermoContact
     bool
     can_change_at_once(const ContactMode mode) const;
 
+    /** True if a stage of the step has contact pressure. */
+    bool
+    pushes() const;
+
     /**
      * Through the stages of the present tableau; @p result gets their sums and
      * the failure of one.
