@@ -83,11 +83,13 @@ namespace ThermoContact
             result.push_back(b);
             continue;
           }
-        LoadBreak &last = result.back();
+        LoadBreak &last       = result.back();
+        const bool ends_steps = last.ends_steps || b.ends_steps;
         if (b.is_jump && !last.is_jump)
           last = b;
         else if (b.is_jump)
           last.new_time = std::max(last.new_time, b.new_time);
+        last.ends_steps = ends_steps;
       }
     return result;
   }
@@ -98,10 +100,16 @@ namespace ThermoContact
   LoadHistory::add_breaks(const std::vector<double> &times)
   {
     for (const double time : times)
-      if (std::none_of(breaks.begin(), breaks.end(), [&](const LoadBreak &b) {
+      {
+        const auto known =
+          std::find_if(breaks.begin(), breaks.end(), [&](const LoadBreak &b) {
             return are_same_time(b.time, time);
-          }))
-        breaks.push_back({time, true});
+          });
+        if (known == breaks.end())
+          breaks.push_back({time, true});
+        else
+          known->ends_steps = true;
+      }
     breaks = merged(breaks);
   }
 
@@ -163,7 +171,10 @@ namespace ThermoContact
   const LoadBreak *
   LoadHistory::next_break(const double time) const
   {
-    const auto next = first_after(breaks, time);
+    const auto next =
+      std::find_if(first_after(breaks, time),
+                   breaks.end(),
+                   [](const LoadBreak &b) { return b.ends_steps; });
     return next == breaks.end() ? nullptr : &*next;
   }
 
@@ -172,13 +183,16 @@ namespace ThermoContact
   const LoadBreak *
   LoadHistory::break_at(const double time) const
   {
-    const auto at = std::lower_bound(breaks.begin(),
-                                     breaks.end(),
-                                     time,
-                                     [](const LoadBreak &b, const double t) {
-                                       return b.time < t;
-                                     });
-    return at == breaks.end() || at->time != time ? nullptr : &*at;
+    const auto next = first_after(breaks, time);
+    if (next != breaks.begin())
+      if (const LoadBreak &last = *std::prev(next);
+          last.time == time ||
+          (!last.ends_steps && are_same_time(last.time, time)))
+        return &last;
+    return next != breaks.end() && !next->ends_steps &&
+               are_same_time(next->time, time) ?
+             &*next :
+             nullptr;
   }
 
 

@@ -147,12 +147,15 @@ namespace ThermoContact
     std::string
     describe_loads(const LoadHistory &loads, const OutputUnits &units)
     {
-      const std::size_t n_jumps =
-        std::count_if(loads.breaks.begin(),
-                      loads.breaks.end(),
-                      [](const LoadBreak &at) { return at.is_jump; });
-      std::string line = "steps end at " + count(n_jumps, "jump") + " and " +
-                         count(loads.breaks.size() - n_jumps, "kink");
+      const auto number = [&](const bool are_jumps) {
+        return std::count_if(loads.breaks.begin(),
+                             loads.breaks.end(),
+                             [=](const LoadBreak &at) {
+                               return at.ends_steps && at.is_jump == are_jumps;
+                             });
+      };
+      std::string line = "steps end at " + count(number(true), "jump") +
+                         " and " + count(number(false), "kink");
       double smallest = infinity;
       for (const LoadStretch &stretch : loads.stretches)
         smallest = std::min(smallest, stretch.width);

@@ -302,7 +302,7 @@ namespace ThermoContact
   {
     const Discretization<dim> &discretization = body.discretization;
     State                      state          = discretization.make_state();
-    body.obstacle.place(0., state);
+    body.obstacle.place(0., 0., state);
     {
       std::unique_ptr<const CellProducts<dim, double>> own_products;
       if constexpr (dim > 1)

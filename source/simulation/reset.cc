@@ -616,7 +616,7 @@ namespace ThermoContact
     if (!body.obstacle.is_active() || !body.scene.contact.has_impacts())
       return;
     // impacts take the velocity of the obstacle, not that of the last stage
-    body.obstacle.set_rates(result.state.time, result.state);
+    body.obstacle.set_rates(result.state.load_time, result.state);
     if (mode != ContactMode::closed)
       return;
     put_on_obstacle(body, result.state); // where they are but for rounding
@@ -656,9 +656,8 @@ namespace ThermoContact
     const bool is_damped = body.law().is_damped();
     const bool is_viscous_at_rigid =
       body.law().is_rigid() && body.scene.contact.order == NodeOrder::viscous;
-    if ((!is_damped && !is_viscous_at_rigid) ||
-        (body.scene.has_midpoint_mass && body.law().dashpot() > 0.))
-      return; // of waves the next step knows
+    if ((!is_damped && !is_viscous_at_rigid) || body.scene.has_midpoint_mass)
+      return; // waves give the end its velocity
     if (!body.scene.material.has_inertia())
       set_velocity_of_viscous_body(is_closed, state);
     else if (is_damped)

@@ -239,11 +239,13 @@ namespace ThermoContact
         }
       if (!time.has_error_control())
         {
-          if (load.is_dirichlet || scene.scheme.has_no_dispersion)
-            return; // no other step than a wave through a cell takes
-          // a rigid obstacle whose slope jumps within a step would throw its
-          // nodes
           together.stretches.clear();
+          // a rigid obstacle whose slope jumps within a step would throw its
+          // nodes; with no dispersion there is no other step than that in which
+          // a wave passes a cell
+          for (LoadBreak &at : together.breaks)
+            at.ends_steps =
+              !load.is_dirichlet && !scene.scheme.has_no_dispersion;
         }
       history.add(together);
     }
@@ -343,7 +345,8 @@ namespace ThermoContact
         }
     for (const Load &load : loads)
       if (time.end_time > 0. &&
-          (time.has_error_control() || !load.no_jump.empty()))
+          (time.has_error_control() || scene.scheme.has_no_dispersion ||
+           !load.no_jump.empty()))
         scan(load, scene, history, warnings);
     std::vector<double> reached;
     for (const double point : time.break_points)

@@ -59,16 +59,16 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ObstacleMotion<dim>::place(const double time, State &state) const
+  ObstacleMotion<dim>::place(const double time,
+                             const double rate_time,
+                             State       &state) const
   {
     if (!is_active())
       return;
     get_derivatives(time, scratch);
     for (unsigned int i = 0; i < n_nodes; ++i)
-      {
-        state.gap[i]      = scratch[i].value;
-        state.gap_rate[i] = scratch[i].first;
-      }
+      state.gap[i] = scratch[i].value;
+    set_rates(rate_time, state);
   }
 
 

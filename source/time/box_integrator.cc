@@ -107,9 +107,10 @@ namespace ThermoContact
                       StepResult &result)
   {
     const double size = time_step.size;
+    present           = time_step;
     obstacle.gap      = state.gap;
     obstacle.gap_rate = state.gap_rate;
-    body.obstacle.place(time_step.end, obstacle);
+    body.obstacle.place(time_step.end, time_step.last_loads, obstacle);
     set_loads(state, time_step);
     solve_without_contact(state, size);
     find_contacts(state, size, ends);
@@ -323,6 +324,43 @@ namespace ThermoContact
 
 
 
+  double
+  BoxIntegrator::old_coefficient(const unsigned int c,
+                                 const State       &state,
+                                 const StepPath    &path) const
+  {
+    if (n_heat_stages == 0 || !present.begins_at_break ||
+        body.scene.heat.exchange->is_constant())
+      return state.exchange_coefficient[c];
+    const double p     = state.contact_pressure[c];
+    const double theta = contacts[c].sum(
+      [&](const ContactSide &side) { return side.value(state.temperature); });
+    return body.scene.heat.exchange->coefficient(
+      p != 0. ? 0. : std::max(path.front, path.rear),
+      std::abs(p),
+      body.surroundings.conditions(c, theta, present.first_loads));
+  }
+
+
+
+  double
+  BoxIntegrator::former_rate(const unsigned int c,
+                             const State       &state,
+                             const double       size,
+                             const unsigned int n_steps)
+  {
+    if (!body.obstacle.is_active())
+      return 0.;
+    const auto gap = [&](const unsigned int n) {
+      body.obstacle.get_derivatives(std::max(state.time - n * size, 0.),
+                                    former_gaps);
+      return former_gaps[c].value;
+    };
+    return (gap(n_steps - 1) - gap(n_steps)) / size;
+  }
+
+
+
   StepPath
   BoxIntegrator::path_of_node(const unsigned int c,
                               const State       &state,
@@ -475,7 +513,7 @@ namespace ThermoContact
       n_heat_stages > 0 && !body.scene.heat.exchange->is_constant();
     EndContact end;
     end.end_coefficient = end_coefficient;
-    const double old    = state.exchange_coefficient[c];
+    const double old    = old_coefficient(c, state, path_without_exchange);
     for (unsigned int i = 0; i < n; ++i)
       end.coefficient[i] = old + HeatStages::times[i] * (end_coefficient - old);
     EndValues values(free);
@@ -583,7 +621,7 @@ namespace ThermoContact
       return coefficient - law_at(coefficient);
     };
     // from the last one in the direction of the law to a change of sign
-    double       low = state.exchange_coefficient[c], high = low;
+    double       low = old_coefficient(c, state, path), high = low;
     const double first  = excess(low);
     double       at_low = first, at_high = first;
     if (first < 0.)
@@ -840,15 +878,12 @@ namespace ThermoContact
   BoxIntegrator::Releases
   BoxIntegrator::find_releases(const unsigned int c,
                                const State       &state,
-                               const StepPath    &path) const
+                               const StepPath    &path)
   {
     constexpr unsigned int n_cells_seen = 3;
     const Contact         &contact      = contacts[c];
     if (!body.law().is_active() || !contact.has_rods_with_waves())
       return {};
-    for (const ContactSide &side : contact.sides)
-      if (!side.is_mass() && side.n_cells < n_cells_seen)
-        return {};
     // a mass goes on as it is
     const auto mass_velocity = [&](const ContactSide &side) {
       return side.value(state.velocity);
@@ -865,15 +900,33 @@ namespace ThermoContact
     const int    side = stopped != 0. ? (stopped > 0. ? 1 : -1) :
                                         (free > path.front_rate ? 1 : -1);
     const double rate = side > 0 ? path.front_rate : 0.;
-    // changes by loads on the way from the middle of the last cell
-    const double change =
-      free - sum_of_sides([&](const unsigned int i) {
-        const ContactSide &of = contact.sides[i];
-        return of.is_mass() ? mass_velocity(of) :
-                              contact.arriving(i, of.values_in(state, 0));
-      });
-    // waves on their way back show the waves that came
-    const auto came = [&](const unsigned int cell) {
+    Releases     releases;
+    releases.change = free - sum_of_sides([&](const unsigned int i) {
+                        const ContactSide &of = contact.sides[i];
+                        return of.is_mass() ?
+                                 mass_velocity(of) :
+                                 contact.arriving(i, of.values_in(state, 0));
+                      });
+    for (const ContactSide &of : contact.sides)
+      if (!of.is_mass() && of.n_cells < n_cells_seen)
+        return releases;
+    // of them what acts along the way from the middle of the last cell
+    const Vector &response = solver.response_to_pressure(path.size, c).velocity;
+    const double  along    = contact.sum([&](const ContactSide &of) {
+      return (of.is_mass() ? 1. : 0.5) * of.inner_value(momentum_load) *
+             of.value(response);
+    });
+    const auto    change   = [&](const unsigned int cell) {
+      return releases.change + 2. * cell * along;
+    };
+    // waves on their way back show the waves that came, to an end that had the
+    // velocity of the obstacle
+    const auto doubled_rate = [&](const unsigned int n_steps) {
+      return side > 0 ? 2. * former_rate(c, state, path.size, n_steps) - rate :
+                        0.;
+    };
+    const double former_rates[] = {doubled_rate(1), doubled_rate(2)};
+    const auto   came           = [&](const unsigned int cell) {
       return side * (sum_of_sides([&](const unsigned int i) {
                        if (contact.sides[i].is_mass())
                          return 0. - mass_velocity(contact.sides[i]);
@@ -882,7 +935,7 @@ namespace ThermoContact
                        return contact.arriving(i, values) -
                               2. * values.velocity;
                      }) +
-                     rate + (1. + 2. * cell) * change);
+                     former_rates[cell] + change(cell));
     };
     const auto comes = [&](const unsigned int cell) {
       return side *
@@ -892,7 +945,7 @@ namespace ThermoContact
                 return contact.arriving(
                   i, later_values_in(contact.sides[i], state, path.size, cell));
               }) -
-              rate + (1. + 2. * cell) * change);
+              rate + change(cell));
     };
     const double coming[] = {
       came(1), came(0), side * (free - rate), comes(0), comes(1), comes(2)};
@@ -913,7 +966,8 @@ namespace ThermoContact
                        after};
       return std::nullopt;
     };
-    Releases releases{stopped != 0. ? release(2) : std::nullopt, release(3)};
+    releases.now  = stopped != 0. ? release(2) : std::nullopt;
+    releases.next = release(3);
     if (releases.now && releases.next) // one front, in the one or the other
       (around(3) < around(2) ? releases.now : releases.next).reset();
     return releases;
@@ -968,7 +1022,7 @@ namespace ThermoContact
     // behind a front each rod has the velocity of its waves, a mass its own
     const double leaving =
       contact.has_rods_with_waves() ?
-        arriving() - rate :
+        arriving() + end.releases.change - rate :
         end.end_velocity - (side > 0 ? obstacle.gap_rate[c] : 0.);
     if (end.masses)
       return at(end.masses->change_time / path.size, 0.);
@@ -1001,11 +1055,15 @@ namespace ThermoContact
         return at(before / (before - side * pull), end.end_velocity - rate);
       }
 
-    // pressures that stop the end before this step, and at its end
-    const double stopped  = state.contact_pressure[c];
+    // pressures that stop the end at the start of this step, and at its end
     const double stopping = law.is_rigid() && end.contact.pressure != 0. ?
                               end.stopping :
                               contact.impedance * (end.end_velocity - rate);
+    const double behind_break =
+      2. * contact.impedance * (end.free_velocity - rate) - stopping;
+    const double stopped = present.begins_at_break ?
+                             side * std::max(0., side * behind_break) :
+                             state.contact_pressure[c];
     return at(stopped / (stopped - stopping), leaving);
   }
 

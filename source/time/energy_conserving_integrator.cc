@@ -163,7 +163,7 @@ namespace ThermoContact
   {
     obstacle.gap      = state.gap;
     obstacle.gap_rate = state.gap_rate;
-    body.obstacle.place(time_step.end, obstacle);
+    body.obstacle.place(time_step.end, time_step.last_loads, obstacle);
     for (unsigned int i = 0; i < state.gap.size(); ++i)
       midpoint.gap_rate[i] = (obstacle.gap[i] - state.gap[i]) / time_step.size;
   }

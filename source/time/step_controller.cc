@@ -206,6 +206,7 @@ namespace ThermoContact
   {
     const LoadBreak *begin = loads.break_at(time);
     const LoadBreak *end   = loads.break_at(step.end);
+    step.begins_at_break   = begin != nullptr;
     step.first_loads       = begin == nullptr ? time : begin->new_time;
     step.last_loads        = end == nullptr ? step.end : end->old_time;
   }

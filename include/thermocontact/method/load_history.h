@@ -29,6 +29,9 @@ namespace ThermoContact
     bool   is_jump;  ///< or else its slope jumps
 
     unsigned int jumping = other_load; ///< bits: the loads that jump there
+
+    /** Steps end there; else those that end there by themselves know it. */
+    bool ends_steps = true;
   };
 
 
@@ -64,11 +67,11 @@ namespace ThermoContact
 
     bool is_complete = true; ///< false: a load is too fast to be searched
 
-    /** Loads that all steps see the same way need no stretches. */
+    /** Steps end anywhere and are of any length. */
     bool
     is_empty() const
     {
-      return breaks.empty() && stretches.empty();
+      return next_break(-1.) == nullptr && stretches.empty();
     }
 
     /**
@@ -89,11 +92,14 @@ namespace ThermoContact
     void
     end_at(const double end_time);
 
-    /** The first break after @p time, or nullptr. */
+    /** The first break after @p time at which steps end, or nullptr. */
     const LoadBreak *
     next_break(const double time) const;
 
-    /** The break at @p time, or nullptr. */
+    /**
+     * The break at @p time, or nullptr; one at which no step has to end also
+     * where the times cannot be told apart.
+     */
     const LoadBreak *
     break_at(const double time) const;
 

@@ -40,9 +40,12 @@ namespace ThermoContact
     get_derivatives(const double                  time,
                     std::vector<TimeDerivatives> &derivatives) const;
 
-    /** The obstacle of a state is where it is at @p time. */
+    /**
+     * The obstacle of a state is where it is at @p time, with the rates at
+     * @p rate_time, the same or at the other side of a jump of the rates there.
+     */
     void
-    place(const double time, State &state) const;
+    place(const double time, const double rate_time, State &state) const;
 
     /**
      * The rates of the gaps of a state are those at @p time, which may be

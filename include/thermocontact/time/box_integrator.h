@@ -101,6 +101,8 @@ namespace ThermoContact
 
     std::array<double, HeatStages::n> heat_times; ///< of their loads
 
+    TimeStep present; ///< the step
+
     /** The rates of the fixed end by its drive. */
     std::array<double, HeatStages::n> end_heating;
     double                            end_velocity = 0.;
@@ -142,6 +144,9 @@ namespace ThermoContact
     struct Releases
     {
       std::optional<Release> now, next;
+
+      /** What loads add to the velocity that waves bring to the end. */
+      double change = 0.;
     };
 
     /** Pressure, heat exchange and what follows at the end of the step. */
@@ -240,6 +245,19 @@ namespace ThermoContact
                 const EndValues   &values,
                 EndContact        &end) const;
 
+    /** Heat exchange at the start of a step, behind a jump of its law there. */
+    double
+    old_coefficient(const unsigned int c,
+                    const State       &state,
+                    const StepPath    &path) const;
+
+    /** Mean velocity of the obstacle in one of the steps before, from 1. */
+    double
+    former_rate(const unsigned int c,
+                const State       &state,
+                const double       size,
+                const unsigned int n_steps);
+
     StepPath
     path_of_node(const unsigned int c,
                  const State       &state,
@@ -281,7 +299,7 @@ namespace ThermoContact
     Releases
     find_releases(const unsigned int c,
                   const State       &state,
-                  const StepPath    &path) const;
+                  const StepPath    &path);
 
     /** Where in the step the node meets or leaves an obstacle, (C6.14). */
     std::optional<ContactChange>
@@ -303,6 +321,8 @@ namespace ThermoContact
     std::vector<EndValues>  free;
     std::vector<StepPath>   paths;
     std::vector<Releases>   releases;
+
+    std::vector<TimeDerivatives> former_gaps;
 
     /** Of loads on the way of masses that impacts change, which is not that of
      * the mean velocity. */

@@ -64,6 +64,8 @@ namespace ThermoContact
 
     /** Times whose loads are those within the step at its begin and end. */
     double first_loads = 0., last_loads = 0.;
+
+    bool begins_at_break = false; ///< of a load
   };
 
 
