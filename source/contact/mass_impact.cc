@@ -50,7 +50,7 @@ namespace ThermoContact
     const auto   rest_until_end = [&]() {
       result.penetration = result.velocity = 0.;
       result.is_closed                     = true;
-      result.change = -path.velocity - a * path.size;
+      result.change                        = -path.velocity - a * path.size;
       return result;
     };
     if (path.is_closed)
@@ -95,7 +95,7 @@ namespace ThermoContact
     const double left  = path.size - t;
     result.penetration = std::min(0., s + left * (v + 0.5 * a * left));
     result.velocity    = v + a * left;
-    result.change = result.velocity - path.velocity - a * path.size;
+    result.change      = result.velocity - path.velocity - a * path.size;
     return result;
   }
 } // namespace ThermoContact

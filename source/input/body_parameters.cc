@@ -52,8 +52,15 @@ namespace ThermoContact
   void
   BodyParameters::add_parameters(ParameterHandler &prm)
   {
-    const NumberOrText field = NumberOrText::expression("x");
-    SectionOfEntries   entry(prm,
+    const NumberOrText field = NumberOrText::expression("x"),
+                       coefficient =
+                         NumberOrText::number_or_expression("x", positive),
+                       zero_too =
+                         NumberOrText::number_or_expression("x", not_negative),
+                       any = NumberOrText::number_or_expression("x",
+                                                                Double(-1e15,
+                                                                       1e15));
+    SectionOfEntries entry(prm,
                            bodies_section + "/" +
                              (name.empty() ? any_body : name));
     entry("Kind", kind, Selection("rod|mass"))
@@ -64,18 +71,26 @@ namespace ThermoContact
       .means("Number of its cells; automatic: of all rods together as many as "
              "Mesh/Cells would be, with Time/Scheme = box such that a wave "
              "passes each of them in the same time.");
-    entry("Section", section, positive)
-      .means("Cross-section of a rod over that of section Model or Rod.");
-    entry("Stiffness", stiffness, positive)
+    entry("Section", section.value, section.expression, coefficient)
+      .means("Cross-section of a rod over that of section Model or Rod; x of "
+             "these coefficients begins at the left end of the rod.");
+    entry("Stiffness", stiffness.value, stiffness.expression, coefficient)
       .means("Young's modulus over that one.");
-    entry("Density", density, positive).means("Density over that one.");
-    entry("Viscosity", viscosity, not_negative)
+    entry("Density", density.value, density.expression, coefficient)
+      .means("Density over that one.");
+    entry("Viscosity", viscosity.value, viscosity.expression, zero_too)
       .means("Viscosity zeta over that one: stress is E (u_x + zeta u_xt).");
-    entry("Coupling", coupling, Double(-1e15, 1e15))
+    entry("Coupling", coupling.value, coupling.expression, any)
       .means("Thermoelastic coupling a over that one.");
-    entry("Conductivity", conductivity, positive)
+    entry("Conductivity",
+          conductivity.value,
+          conductivity.expression,
+          coefficient)
       .means("Heat conductivity over that one.");
-    entry("Heat capacity", heat_capacity, positive)
+    entry("Heat capacity",
+          heat_capacity.value,
+          heat_capacity.expression,
+          coefficient)
       .means("Heat capacity per volume over that one; of a mass its heat "
              "capacity over that of the rod of section Model or Rod.");
     entry("Mass", mass, positive)
@@ -127,8 +142,7 @@ namespace ThermoContact
                                 ParameterHandler              &prm)
   {
     std::vector<std::string> names, pair_names;
-    const auto               add = [](const std::string        &name,
-                        std::vector<std::string> &to) {
+    const auto add = [](const std::string &name, std::vector<std::string> &to) {
       if (!name.empty() && std::find(to.begin(), to.end(), name) == to.end())
         to.push_back(name);
     };
@@ -136,14 +150,13 @@ namespace ThermoContact
       return assignment.place.find(", line ") != std::string::npos;
     };
     // what a file has not, a command line or a study does not add to it
-    const bool has_bodies =
-      std::any_of(assignments.begin(),
-                  assignments.end(),
-                  [&](const Assignment &assignment) {
-                    return is_of_file(assignment) &&
-                           !name_within(bodies_section, assignment.path)
-                              .empty();
-                  });
+    const bool has_bodies = std::any_of(
+      assignments.begin(),
+      assignments.end(),
+      [&](const Assignment &assignment) {
+        return is_of_file(assignment) &&
+               !name_within(bodies_section, assignment.path).empty();
+      });
     for (const Assignment &assignment : assignments)
       {
         const std::string name = name_within(bodies_section, assignment.path);
@@ -181,9 +194,8 @@ namespace ThermoContact
   std::string
   declared_path(const std::string &path)
   {
-    for (const auto &[section, any] :
-         {std::pair(bodies_section, any_body),
-          std::pair(pairs_section, any_pair)})
+    for (const auto &[section, any] : {std::pair(bodies_section, any_body),
+                                       std::pair(pairs_section, any_pair)})
       if (const std::string name = name_within(section, path); !name.empty())
         return section + "/" + any +
                path.substr(section.size() + 1 + name.size());

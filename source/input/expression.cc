@@ -523,7 +523,7 @@ namespace ThermoContact
                const std::string   &unit,
                const std::string   &needed) const
     {
-      if (!unit.empty() && !convert_unit(1., unit, needed))
+      if (!unit.empty() && unit != needed && !convert_unit(1., unit, needed))
         throw InputError(path + " = " + quote(text) + ": " +
                          quote(table.file_name) + ": the header has the unit " +
                          unit + "\n  allowed: a unit of the kind of " + needed +

@@ -31,7 +31,7 @@ namespace ThermoContact
     std::optional<double>
     in_base_units(const double number, const std::string &unit)
     {
-      if (unit.empty())
+      if (unit.empty() || unit == "1") // none, as said
         return number;
       std::istringstream bases(
         "s m K N Pa 1 kg J W Hz m/s m/s^2 N/m N/m^3 W/m^2 W/m^3");

@@ -536,7 +536,10 @@ namespace ThermoContact
     const auto      known = entry_of_program(path).variables(dimension);
     ExpressionNames names;
     if (known.front() == "gap")
-      names.variables = known;
+      {
+        names.variables     = known;
+        names.checks_values = false; // a scene knows the temperatures
+      }
     else
       for (const char *const name : {"x", "y", "z", "t"})
         names.variables.emplace_back(

@@ -84,6 +84,15 @@ namespace ThermoContact
 
 
 
+  NumberOrText
+  NumberOrText::number_or_expression(const std::string &names,
+                                     const Double      &numbers)
+  {
+    return {"", names, numbers};
+  }
+
+
+
   bool
   NumberOrText::match(const std::string &text) const
   {

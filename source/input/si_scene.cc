@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace ThermoContact
 {
@@ -79,12 +80,26 @@ namespace ThermoContact
 
 
 
+    /** Two bodies of a row, or the right end and the obstacle. */
+    bool
+    can_have_contact(const std::vector<Assignment> &assignments)
+    {
+      std::set<std::string> bodies;
+      for (const Assignment &assignment : assignments)
+        if (begins_with(assignment.path, "Bodies/") && !assignment.is_section())
+          bodies.insert(assignment.path.substr(
+            0, assignment.path.find('/', std::string("Bodies/").size())));
+      return bodies.size() > 1 || meets_obstacle(assignments);
+    }
+
+
+
     /** The default law without an assignment, none for one that there is not,
      * and where nothing can meet. */
     const ContactLawKind &
-    law_of(const std::vector<Assignment> &assignments, const bool has_row)
+    law_of(const std::vector<Assignment> &assignments)
     {
-      if (!has_row && !meets_obstacle(assignments))
+      if (!can_have_contact(assignments))
         return contact_law(no_obstacle().name);
       const Assignment *const last =
         last_assignment(assignments, "Contact/Condition");
@@ -193,7 +208,7 @@ namespace ThermoContact
                             return begins_with(assignment.path, "Bodies/");
                           }))
     , is_confined(dim > 1 || given("Rod/Lateral sides") == "confined")
-    , law(law_of(assignments, has_row))
+    , law(law_of(assignments))
   {
     check_complete();
     set_scales();
@@ -250,7 +265,7 @@ namespace ThermoContact
     need(has_temperature, "Boundary/left/Temperature");
     need(has_temperature, "Boundary/right/Heat exchange");
     need(has_displacement && law.name != no_obstacle().name &&
-           (has_row || meets_obstacle(assignments)),
+           can_have_contact(assignments),
          "Contact/Gap");
     const bool has_stiffness =
       given("Contact/Stiffness").value_or("none") != "none";
@@ -346,7 +361,13 @@ namespace ThermoContact
   SiScene::value(const Assignment &assignment) const
   {
     if (kind_of(assignment.path).empty())
-      return assignment.value;
+      {
+        const DeclaredEntry *const entry = find_entry(assignment.path);
+        return entry == nullptr || entry->variables(dim).empty() ||
+                   parse_number(assignment.value) ?
+                 assignment.value :
+                 in_scene_variables(assignment, assignment.value);
+      }
     const bool  is_list = assignment.path == "Output/Probes";
     std::string result, part;
     int         depth  = 0;
@@ -435,7 +456,8 @@ namespace ThermoContact
                                "+" + significant(unit.offset, all_digits)) +
           ")");
       }
-    names.units.push_back(unit_of(kind_of(assignment.path)));
+    const std::string unit = unit_of_entry(assignment.path);
+    names.units.push_back(unit.empty() ? "1" : unit);
     try
       {
         return Expression(assignment.path, text, names).with_variables(others);

@@ -35,8 +35,8 @@ namespace ThermoContact
     bool
     is_section(const std::string &any_name)
     {
-      const std::string name = declared_path(any_name);
-      const auto sections = declared_sections();
+      const std::string name     = declared_path(any_name);
+      const auto        sections = declared_sections();
       return std::any_of(sections.begin(),
                          sections.end(),
                          [&name](const std::string &known) {

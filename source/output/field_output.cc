@@ -103,9 +103,9 @@ namespace ThermoContact
         total(n_points);
       std::vector<Tensor<2, dim>> gradient(n_points);
 
-      // of a row: of displacement and velocity, and the cell that is written
-      std::vector<Tensor<2, dim>> elastic(n_points), rate(n_points);
-      const RowCell              *of_row = nullptr;
+      // of a row: of displacement and velocity, and its coefficients
+      std::vector<Tensor<2, dim>>  elastic(n_points), rate(n_points);
+      std::vector<RodCoefficients> equations(n_points), of_rod(n_points);
       const auto component = [&](unsigned int row, const unsigned int point) {
         if (row < first)
           return temperature[point];
@@ -115,14 +115,15 @@ namespace ThermoContact
                              velocity[point][row - dim];
         const unsigned int d = (row - 2 * dim) / n_rows,
                            e = (row - 2 * dim) % n_rows;
-        if (of_row != nullptr)
-          return (of_row->stiffness * elastic[point][0][0] +
-                  material.viscosity * of_row->viscosity * rate[point][0][0] -
+        if (space.row().is_given())
+          return (equations[point].stiffness * elastic[point][0][0] +
+                  material.viscosity * equations[point].viscosity *
+                    rate[point][0][0] -
                   (material.has_thermal_stress() ?
-                     material.thermal_stress * of_row->coupling *
+                     material.thermal_stress * equations[point].coupling *
                        temperature[point] :
                      0.)) /
-                 of_row->section;
+                 of_rod[point].section;
         const Strain strain =
           space.geometry().strain(gradient[point],
                                   total[point],
@@ -153,7 +154,13 @@ namespace ThermoContact
                 of_fields.get_function_gradients(viscous, gradient);
                 if (space.row().is_given())
                   {
-                    of_row = &space.row().cells[cell->active_cell_index()];
+                    for (unsigned int q = 0; q < n_points; ++q)
+                      {
+                        const double       x = values.quadrature_point(q)[0];
+                        const unsigned int number = cell->active_cell_index();
+                        equations[q] = space.row().in_equations(number, x);
+                        of_rod[q]    = space.row().of_rod(number, x);
+                      }
                     of_fields.get_function_gradients(present, elastic);
                     of_fields.get_function_gradients(moving, rate);
                   }

@@ -81,11 +81,12 @@ namespace ThermoContact
     if (simulation.scene().row.is_given())
       for (const std::string &name : simulation.scene().row.contact_names())
         {
-          row_files.push_back(std::make_unique<CsvFile<ContactRecord>>(
-            "contacts/" + name + ".csv",
-            columns_of_row_contact(),
-            units,
-            "contacts/*.csv"));
+          row_files.push_back(
+            std::make_unique<CsvFile<ContactRecord>>("contacts/" + name +
+                                                       ".csv",
+                                                     columns_of_row_contact(),
+                                                     units,
+                                                     "contacts/*.csv"));
           tables[row_files.back()->name] = &row_files.back()->file;
         }
     if (progress)
@@ -204,8 +205,7 @@ namespace ThermoContact
     const auto &events           = simulation.events();
     const bool  is_first_contact = n_written_events == 0 && !events.empty();
     for (unsigned int &i = n_written_events; i < events.size(); ++i)
-      events_file.add({events[i],
-                       duration_of_contact(events, i)});
+      events_file.add({events[i], duration_of_contact(events, i)});
     for (const StepAttempt &attempt : simulation.history().attempts)
       steps_file.add(attempt);
     if (space_time_output && is_due(of_space_time, record.time))

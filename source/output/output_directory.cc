@@ -83,7 +83,8 @@ namespace ThermoContact
         if (fs::is_directory(folder) && fs::is_empty(folder))
           fs::remove(folder);
       };
-      for (const fs::path &folder : {directory / "fields", directory / "contacts", directory})
+      for (const fs::path &folder :
+           {directory / "fields", directory / "contacts", directory})
         if (fs::is_directory(folder))
           for (const auto &entry : fs::directory_iterator(folder))
             {

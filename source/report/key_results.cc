@@ -31,7 +31,7 @@ namespace ThermoContact
     contact_duration(const Scene &, const RunHistory &history)
     {
       const StepRecord   &record = history.record;
-      const unsigned int  n      = std::max<std::size_t>(1, record.contacts.size());
+      const unsigned int  n = std::max<std::size_t>(1, record.contacts.size());
       std::vector<double> begin(n, 0.);
       double              sum = 0.;
       for (const ContactEvent &event : history.events)

@@ -34,7 +34,11 @@ namespace ThermoContact
                                  units.text("position", body.length),
                                  ", ",
                                  body.cells,
-                                 " cells)")));
+                                 " cells",
+                                 RodProfile(scene.parameters, body).varies() ?
+                                   ", coefficients vary" :
+                                   "",
+                                 ")")));
       return join_words({join_words(bodies),
                          text("degree ", scene.parameters.mesh.degree),
                          scene.fields.has_displacement && scene.has_free_end ?

@@ -134,7 +134,9 @@ namespace ThermoContact
                 &systems[r]);
 
     // vertex i is the right one of cell i, the left one of cell i + 1
-    const auto hold = [&](NodeBlock &a, const unsigned int row_vertex, const unsigned int column_vertex) {
+    const auto hold = [&](NodeBlock         &a,
+                          const unsigned int row_vertex,
+                          const unsigned int column_vertex) {
       for (unsigned int k = 0; k < n_fields; ++k)
         for (unsigned int j = 0; held_right[k] && j < n_fields; ++j)
           {

@@ -75,10 +75,12 @@ namespace ThermoContact
     {
       bool changes = false;
       for (BodyParameters &body : parameters.row.bodies)
-        {
-          changes    = changes || body.cells > 1;
-          body.cells = (body.cells + 1) / 2;
-        }
+        if (!body.is_mass())
+          {
+            const unsigned int fewest = RodProfile(parameters, body).n_parts();
+            changes                   = changes || body.cells > fewest;
+            body.cells                = std::max((body.cells + 1) / 2, fewest);
+          }
       if (changes && has_joined_steps_and_cells(parameters))
         parameters.time.step_size.reset(); // it follows from the cells
       return changes;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace ThermoContact
@@ -34,6 +35,40 @@ namespace ThermoContact
         x += cell.size;
       }
     return begin;
+  }
+
+
+
+  RodCoefficients
+  BodyRow::of_rod(const unsigned int number, const double x) const
+  {
+    const RowCell &cell = cells[number];
+    const RowBody &body = bodies[cell.body];
+    if (cell.is_gap || !body.profile)
+      return cell.whole;
+    // within the cell, so that a jump at its begin is behind
+    const double inside = Tolerances::rounding_of_data * cell.size;
+    return body.profile->at(std::clamp(x - body.begin,
+                                       cell.begin + inside,
+                                       cell.begin + cell.size - inside));
+  }
+
+
+
+  RodCoefficients
+  BodyRow::in_equations(const unsigned int number, const double x) const
+  {
+    return cells[number].varies ? of_rod(number, x) : cells[number].whole;
+  }
+
+
+
+  bool
+  BodyRow::has_varying_rods() const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [](const RowBody &body) {
+      return body.profile.has_value();
+    });
   }
 
 
@@ -80,8 +115,8 @@ namespace ThermoContact
     auto
     letters(const RowCell &cell)
     {
-      const auto &[a, b, c, d, e, f, g, h, i] = cell;
-      return std::tie(a, b, c, d, e, f, g, h, i);
+      const auto &[a, b, c, d, e, f] = cell;
+      return std::tie(a, b, c, d, e, f);
     }
 
     auto
@@ -101,8 +136,8 @@ namespace ThermoContact
     auto
     letters(const RowBody &body)
     {
-      const auto &[a, b, c, d, e, f, g, h] = body;
-      return std::tie(a, b, c, d, e, f, g, h);
+      const auto &[a, b, c, d, e, f, g, h, i] = body;
+      return std::tie(a, b, c, d, e, f, g, h, i);
     }
 
     template <typename Part>
@@ -129,23 +164,6 @@ namespace ThermoContact
                      [&name](const auto &pair) { return pair.name == name; });
       return found == row.pairs.end() ? nullptr : &*found;
     }
-
-
-
-    RowCell
-    cell_of_rod(const BodyParameters &rod, const double size)
-    {
-      const double A = rod.section;
-      return {size,
-              false,
-              A,
-              A * rod.heat_capacity,
-              A * rod.conductivity,
-              A * rod.coupling,
-              A * rod.density,
-              A * rod.stiffness,
-              A * rod.stiffness * rod.viscosity};
-    }
   } // namespace
 
 
@@ -163,11 +181,15 @@ namespace ThermoContact
 
 
 
-  double
-  passage_of_rod(const Parameters &parameters, const BodyParameters &rod)
+  std::vector<double>
+  passages_of_cells(const Parameters &parameters, const BodyParameters &rod)
   {
-    return rod.length *
-           std::sqrt(parameters.model.inertia * rod.density / rod.stiffness);
+    const RodProfile                profile(parameters, rod);
+    const std::vector<unsigned int> cells = profile.cells_of_parts(rod.cells);
+    std::vector<double>             times = profile.passages();
+    for (std::size_t part = 0; part < cells.size(); ++part)
+      times[part] /= cells[part];
+    return times;
   }
 
 
@@ -180,21 +202,22 @@ namespace ThermoContact
     std::vector<MassContact> contacts;
     if (!law->is_active() || parameters.model.fields == "temperature")
       return contacts;
-    const std::vector<BodyParameters> &bodies = parameters.row.bodies;
+    const std::vector<BodyParameters> &bodies  = parameters.row.bodies;
     double                             fastest = 0.;
     for (const BodyParameters &body : bodies)
-      fastest = std::max(fastest, std::abs(parse_number(body.velocity).value_or(0.)));
-    const auto add = [&](const std::string &name,
-                         const BodyParameters &one,
+      fastest =
+        std::max(fastest, std::abs(parse_number(body.velocity).value_or(0.)));
+    const auto add = [&](const std::string          &name,
+                         const BodyParameters       &one,
                          const BodyParameters *const other) {
       const bool has_rod =
         !one.is_mass() || (other != nullptr && !other->is_mass());
       if (!one.is_mass() && (other == nullptr || !other->is_mass()))
         return;
       const double mass =
-        has_rod            ? (one.is_mass() ? one.mass : other->mass) :
-        other == nullptr   ? one.mass :
-                             one.mass * other->mass / (one.mass + other->mass);
+        has_rod          ? (one.is_mass() ? one.mass : other->mass) :
+        other == nullptr ? one.mass :
+                           one.mass * other->mass / (one.mass + other->mass);
       if (!law->is_rigid())
         {
           const double energy = 0.5 * mass * fastest * fastest;
@@ -207,10 +230,11 @@ namespace ThermoContact
       else if (has_rod)
         {
           const BodyParameters &rod = one.is_mass() ? *other : one;
-          contacts.push_back(
-            {name,
-             mass / (rod.section * std::sqrt(parameters.model.inertia *
-                                             rod.density * rod.stiffness))});
+          const RodCoefficients end =
+            RodProfile(parameters, rod).at_end(one.is_mass());
+          contacts.push_back({name,
+                              mass / std::sqrt(parameters.model.inertia *
+                                               end.inertia * end.stiffness)});
         }
     };
     for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
@@ -229,7 +253,9 @@ namespace ThermoContact
     for (const BodyParameters &body : parameters.row.bodies)
       if (!body.is_mass())
         {
-          sum += passage_of_rod(parameters, body);
+          const std::vector<double> times =
+            RodProfile(parameters, body).passages();
+          sum = std::accumulate(times.begin(), times.end(), sum);
           n_cells += body.cells;
         }
     if (n_cells > 0.)
@@ -247,35 +273,33 @@ namespace ThermoContact
                    const bool   by_passage,
                    Parameters  &parameters)
   {
-    std::vector<BodyParameters *> rods;
-    std::vector<double>           sizes; // to be shared by the cells
-    double                        sum = 0.;
+    struct Part
+    {
+      BodyParameters *rod;
+      double          size; // to be shared by the cells
+    };
+    std::vector<Part> parts;
+    double            sum = 0., given_passage = 0.;
     for (BodyParameters &body : parameters.row.bodies)
       if (!body.is_mass() && body.cells == 0)
         {
-          rods.push_back(&body);
-          sizes.push_back(by_passage ? passage_of_rod(parameters, body) :
-                                       body.length);
-          sum += sizes.back();
+          std::vector<double> sizes = RodProfile(parameters, body).passages();
+          if (!by_passage)
+            sizes.assign(sizes.size(), body.length / sizes.size());
+          for (const double size : sizes)
+            parts.push_back({&body, size});
+          sum = std::accumulate(sizes.begin(), sizes.end(), sum);
         }
-    if (rods.empty())
+      else if (!body.is_mass() && given_passage == 0.)
+        given_passage = passages_of_cells(parameters, body)[0];
+    if (parts.empty())
       return;
-    for (const BodyParameters &body : parameters.row.bodies)
-      if (by_passage && !body.is_mass() && body.cells > 0)
-        {
-          // in the time in which a wave passes a cell that is given
-          const double passage =
-            passage_of_rod(parameters, body) / body.cells;
-          for (unsigned int i = 0; i < rods.size(); ++i)
-            rods[i]->cells = std::max(1., std::round(sizes[i] / passage));
-          return;
-        }
     // the first number of cells for which all are as good as whole, if any
     const auto misfit = [&](const double n) {
       double largest = 0.;
-      for (const double size : sizes)
+      for (const Part &part : parts)
         {
-          const double cells = n * size / sum;
+          const double cells = n * part.size / sum;
           largest            = std::max(largest,
                              std::abs(cells - std::max(1., std::round(cells))) /
                                std::max(1., cells));
@@ -284,7 +308,7 @@ namespace ThermoContact
     };
     const unsigned int first = std::ceil(n_cells);
     unsigned int       best  = first;
-    if (by_passage)
+    if (by_passage && given_passage == 0.)
       for (unsigned int n = first; n < 2 * first; ++n)
         {
           if (misfit(n) < misfit(best))
@@ -292,9 +316,13 @@ namespace ThermoContact
           if (misfit(best) < Tolerances::rounding_of_data)
             break;
         }
-    for (unsigned int i = 0; i < rods.size(); ++i)
-      rods[i]->cells =
-        std::max(1., std::round(static_cast<double>(best) * sizes[i] / sum));
+    for (const Part &part : parts)
+      {
+        const double cells = by_passage && given_passage > 0. ?
+                               part.size / given_passage :
+                               best * part.size / sum;
+        part.rod->cells += std::max(1., std::round(cells));
+      }
   }
 
 
@@ -303,7 +331,7 @@ namespace ThermoContact
   resolve_row(const Parameters &parameters)
   {
     const RowParameters &given = parameters.row;
-    BodyRow                  row;
+    BodyRow              row;
     if (!given.is_given())
       return row;
     double length = 0.;
@@ -314,8 +342,39 @@ namespace ThermoContact
     double       x            = 0.;
 
     const auto add_gap = [&](const double gap) {
-      row.cells.push_back({std::max(gap, smallest_gap), true});
+      RowCell cell;
+      cell.size   = std::max(gap, smallest_gap);
+      cell.is_gap = true;
+      row.cells.push_back(cell);
       x += row.cells.back().size;
+    };
+    const auto add_cells = [&](const RodProfile     &profile,
+                               const BodyParameters &rod,
+                               const unsigned int    number) {
+      const unsigned int n_parts = profile.n_parts();
+      if (rod.cells < n_parts)
+        throw InputError(text("Bodies/",
+                              rod.name,
+                              "/Cells = ",
+                              rod.cells,
+                              "\n  allowed: automatic, or from ",
+                              n_parts,
+                              " on, a cell for each part between jumps of "
+                              "its coefficients\n  remedy:  automatic"));
+      // a linear cell has means, others follow the coefficients
+      const bool varies = profile.varies() && parameters.mesh.degree > 1;
+      double     begin  = 0.;
+      for (const double size : profile.cell_sizes(rod.cells))
+        {
+          row.cells.push_back({size,
+                               false,
+                               number,
+                               begin,
+                               varies,
+                               varies ? profile.at(begin) :
+                                        profile.of_cell(begin, begin + size)});
+          begin += size;
+        }
     };
     std::vector<std::string> known;
     for (unsigned int i = 0; i < given.bodies.size(); ++i)
@@ -349,35 +408,40 @@ namespace ThermoContact
           }
         else if (body.is_mass())
           add_gap(0.); // a mesh begins with a cell, whose left end rests
-        const double       begin = x;
-        const unsigned int first = row.cells.size();
+        const double              begin = x;
+        const unsigned int        first = row.cells.size();
+        std::optional<RodProfile> profile;
         if (body.is_mass())
           {
             const unsigned int vertex = row.cells.size();
-            row.masses.push_back({vertex, body.mass, body.heat_capacity});
+            row.masses.push_back({vertex, body.mass, body.heat_capacity.value});
           }
         else
-          for (unsigned int c = 0; c < body.cells; ++c)
-            row.cells.push_back(cell_of_rod(body, body.length / body.cells));
-        if (!body.is_mass())
-          x += body.length;
+          {
+            const RodProfile of_rod(parameters, body);
+            add_cells(of_rod, body, i);
+            if (of_rod.varies())
+              profile = of_rod;
+            x += body.length;
+          }
         row.bodies.push_back({body.name,
                               begin,
                               body.is_mass() ? begin : x,
                               first,
                               body.is_mass() ? 0 : body.cells,
+                              profile,
                               body.temperature,
                               body.displacement,
                               body.velocity});
       }
     for (const PairParameters &pair : given.pairs)
       if (std::find(known.begin(), known.end(), pair.name) == known.end())
-        throw InputError("Contacts/" + pair.name +
-                         ": no two neighbours of the row\n  allowed: " +
-                         (known.empty() ? "none, of one body" :
-                                          join_words(known)) +
-                         "\n  remedy:  the names of section Bodies, in the "
-                         "order of x");
+        throw InputError(
+          "Contacts/" + pair.name +
+          ": no two neighbours of the row\n  allowed: " +
+          (known.empty() ? "none, of one body" : join_words(known)) +
+          "\n  remedy:  the names of section Bodies, in the "
+          "order of x");
     row.meets_obstacle  = parameters.boundary.right.meets_obstacle();
     row.gap_of_obstacle = parameters.contact.gap;
     return row;

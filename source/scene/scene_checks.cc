@@ -261,6 +261,11 @@ namespace ThermoContact
         .since(by.on_temperature && !scene.row.contacts.empty(),
                "bodies of a row meet, and their temperatures are two",
                "an exchange without theta and theta_obs");
+      exchange.since(!scene.row.contacts.empty() && !scene.row.meets_obstacle &&
+                       !scene.heat.right_temperature,
+                     "bodies of a row meet, and its right end meets nothing",
+                     "Boundary/right/Temperature, or Boundary/right/Support = "
+                     "contact");
       exchange.since(!scene.scheme.needs_constant_exchange.empty(),
                      name_of_scheme(scene),
                      take_default_scheme(scene.scheme.needs_constant_exchange));
@@ -788,6 +793,12 @@ namespace ThermoContact
       for (const BodyParameters &body : parameters.row.bodies)
         {
           const std::string path = "Bodies/" + body.name;
+          Refusal{path + "/Heat capacity",
+                  body.heat_capacity.expression,
+                  "a number"}
+            .since(body.is_mass() && !body.heat_capacity.expression.empty(),
+                   path + "/Kind = mass, which has one temperature",
+                   "its heat capacity as a number");
           Refusal{path + "/Kind", "mass", "rod"}.since(
             body.is_mass() && scene.fields.has_displacement &&
               !scene.material.has_inertia(),
@@ -932,11 +943,13 @@ namespace ThermoContact
       std::vector<std::string> others;
       for (const BodyParameters &body : parameters.row.bodies)
         if (!body.is_mass())
-          if (const double passage =
-                passage_of_rod(parameters, body) / body.cells;
-              std::abs(*size / passage - 1.) > Tolerances::same_step_size)
-            others.push_back(body.name + " (" + units.text("time", passage) +
-                             ")");
+          for (const double passage : passages_of_cells(parameters, body))
+            if (std::abs(*size / passage - 1.) > Tolerances::same_step_size)
+              {
+                others.push_back(body.name + " (" +
+                                 units.text("time", passage) + ")");
+                break;
+              }
       return others.empty() ?
                "" :
                text("Time/Step size = ",

@@ -603,28 +603,26 @@ namespace ThermoContact
     choose_scheme_of_row(const Parameters &written)
     {
       const bool is_automatic = written.time.scheme == automatic_scheme;
-      const bool has_waves    = written.model.inertia > 0. &&
-                             written.model.fields != "temperature";
+      const bool has_waves =
+        written.model.inertia > 0. && written.model.fields != "temperature";
       const std::string against = entry_against_box(written);
       const bool        is_box  = is_automatic ?
                                     has_waves && against.empty() :
                                     scheme(written.time.scheme).has_no_dispersion;
-      SchemeChoice      choice{
-        written,
-             {},
-        !is_automatic      ? "" :
-        is_box             ? "contact in rows of bodies with inertia" :
-        !has_waves         ? "without inertia there are no waves" :
-                             "box cannot have " + against,
-        false};
-      Parameters &parameters = choice.parameters;
+      SchemeChoice      choice{written,
+                          {},
+                          !is_automatic ? "" :
+                               is_box ? "contact in rows of bodies with inertia" :
+                               !has_waves ? "without inertia there are no waves" :
+                                            "box cannot have " + against,
+                          false};
+      Parameters       &parameters = choice.parameters;
       if (is_automatic)
         {
-          parameters.time.scheme =
-            is_box ? find_scheme([](const Scheme &s) {
-                       return s.has_no_dispersion;
-                     })->name :
-                     default_scheme().name;
+          parameters.time.scheme = is_box ? find_scheme([](const Scheme &s) {
+                                              return s.has_no_dispersion;
+                                            })->name :
+                                            default_scheme().name;
           choice.entries.push_back({"Time/Scheme", parameters.time.scheme});
         }
       MeshParameters &mesh = parameters.mesh;
@@ -634,9 +632,9 @@ namespace ThermoContact
           choice.entries.push_back({"Mesh/Degree", text(mesh.degree)});
         }
       choose_row_cells(std::ldexp(mesh.cells > 0 ? mesh.cells :
-                                  is_box ?
-                                    cells_of_tolerance(written.time.tolerance) :
-                                    MeshParameters::cells_by_default,
+                                  is_box         ? cells_of_tolerance(
+                                             written.time.tolerance) :
+                                           MeshParameters::cells_by_default,
                                   mesh.refinements),
                        is_box,
                        parameters);

@@ -78,9 +78,31 @@ namespace ThermoContact
     auto
     members(const SpatialScene &all)
     {
-      const auto
-        &[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x,
-          y] = all;
+      const auto &[a,
+                   b,
+                   c,
+                   d,
+                   e,
+                   f,
+                   g,
+                   h,
+                   i,
+                   j,
+                   k,
+                   l,
+                   m,
+                   n,
+                   o,
+                   p,
+                   q,
+                   r,
+                   s,
+                   t,
+                   u,
+                   v,
+                   w,
+                   x,
+                   y] = all;
       const auto others =
         std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, w, x, y);
       return std::tuple_cat(

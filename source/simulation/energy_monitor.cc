@@ -41,10 +41,12 @@ namespace ThermoContact
     double
     allowed_energy(const Scene &scene)
     {
-      // the fronts of a row are sharp where all rods have the same passage
+      // the fronts of a row are sharp where all rods have the same passage, and
+      // the same coefficients in all cells
       const bool can_create =
         scene.scheme.can_create_energy ||
-        (scene.scheme.has_no_dispersion && !dispersion_warning(scene).empty());
+        (scene.scheme.has_no_dispersion &&
+         (!dispersion_warning(scene).empty() || scene.row.has_varying_rods()));
       return can_create && !scene.parameters.time.has_error_control() ?
                Tolerances::energy_of_fixed_steps :
                Tolerances::energy_of_rounding;

@@ -148,8 +148,7 @@ namespace ThermoContact
             heat.linear_coefficient() *
               (record.temperature_end -
                body.surroundings.of_obstacle(state.load_time)) :
-          body.scene.row.meets_obstacle ? record.contacts.back().heat_flux :
-                                          0.;
+            record.contacts.back().heat_flux;
       }
   }
 

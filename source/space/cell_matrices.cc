@@ -11,7 +11,7 @@ namespace ThermoContact
   mass_between(const Discretization<dim>      &discretization,
                const std::vector<std::size_t> &dofs,
                const FEValuesBase<dim>        &values,
-               const double                    coefficient)
+               const CoefficientAt<dim>       &coefficient)
   {
     FullMatrix<double> matrix(dofs.size(), dofs.size());
     // few functions differ from zero at points that are nodes along a direction
@@ -22,8 +22,8 @@ namespace ThermoContact
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (const double value = values.shape_value(dofs[i], q); value != 0.)
             present.emplace_back(i, value);
-        const double weight =
-          coefficient * discretization.geometry().weight(values, q);
+        const double weight = coefficient(values.quadrature_point(q)) *
+                              discretization.geometry().weight(values, q);
         for (const auto &[i, first] : present)
           for (const auto &[j, second] : present)
             matrix(i, j) += weight * first * second;
@@ -85,10 +85,10 @@ namespace ThermoContact
     if (!discretization.has_field(Field::temperature))
       return;
     const FiniteElement<dim> &fe   = discretization.finite_element();
-    const auto                give = [&](const FEValuesBase<dim> &values,
-                          const double             factor,
-                          const bool               is_lateral,
-                          const auto              &is_there) {
+    const auto                give = [&](const FEValuesBase<dim>  &values,
+                          const CoefficientAt<dim> &factor,
+                          const bool                is_lateral,
+                          const auto               &is_there) {
       std::vector<std::size_t> dofs;
       for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
         if (fe.system_to_component_index(i).first == 0 && is_there(i))
@@ -99,19 +99,27 @@ namespace ThermoContact
       if (const double factor = coefficient(cell->face(f)); factor > 0.)
         {
           face_values.reinit(cell, f);
-          give(face_values,
-               factor,
-               cell->face(f)->boundary_id() >= first_lateral_id,
-               [&](const unsigned int i) {
-                 return fe.has_support_on_face(i, f);
-               });
+          give(
+            face_values,
+            [factor](const Point<dim> &) { return factor; },
+            cell->face(f)->boundary_id() >= first_lateral_id,
+            [&](const unsigned int i) { return fe.has_support_on_face(i, f); });
         }
     if (dim == 1 && lateral_coefficient > 0.)
       {
         cell_values.reinit(cell);
-        give(cell_values, lateral_coefficient, true, [](const unsigned int) {
-          return true;
-        });
+        const BodyRow     &row    = discretization.row();
+        const unsigned int number = cell->active_cell_index();
+        give(
+          cell_values,
+          [&](const Point<dim> &place) {
+            return lateral_coefficient *
+                   (row.is_given() ?
+                      row.in_equations(number, place[0]).section :
+                      1.);
+          },
+          true,
+          [](const unsigned int) { return true; });
       }
   }
 
@@ -121,7 +129,7 @@ namespace ThermoContact
   template CellMatrix mass_between(const Discretization<dim> &,      \
                                    const std::vector<std::size_t> &, \
                                    const FEValuesBase<dim> &,        \
-                                   const double);                    \
+                                   const CoefficientAt<dim> &);      \
   template class HeatExchangeFaces<dim>
 
   INSTANTIATE(1);

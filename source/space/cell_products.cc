@@ -879,9 +879,11 @@ namespace ThermoContact
             continue;
           massless_values.reinit(
             typename Triangulation<dim>::active_cell_iterator(cell));
-          CellMatrix mass =
-            mass_between(discretization, nodes, massless_values, 1.);
-          mass.dofs = axial_dofs;
+          CellMatrix mass = mass_between<dim>(discretization,
+                                              nodes,
+                                              massless_values,
+                                              [](const auto &) { return 1.; });
+          mass.dofs       = axial_dofs;
           add(Field::displacement, mass, at_end[Field::displacement]);
         }
     const auto keep = [](const Sums &sums, std::vector<Entry> &entries) {

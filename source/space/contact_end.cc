@@ -170,23 +170,22 @@ namespace ThermoContact
   ContactEnd<dim>::find_nodes_of_row(
     const Discretization<dim> &discretization) const
   {
-    const BodyRow                &row = discretization.row();
-    const FiniteElement<dim> &fe  = discretization.finite_element();
+    const BodyRow                       &row = discretization.row();
+    const FiniteElement<dim>            &fe  = discretization.finite_element();
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     std::vector<ContactNode<dim>>        nodes;
     const auto dof_at = [&](const unsigned int vertex) {
       Dofs at;
       for (const Field::Block field : all_fields)
-        at[field] =
-          discretization.has_field(field) ?
-            dofs[fe.component_to_system_index(
-              discretization.first_component(field), vertex)] -
-              discretization.first_dof(field) :
-            numbers::invalid_dof_index;
+        at[field] = discretization.has_field(field) ?
+                      dofs[fe.component_to_system_index(
+                        discretization.first_component(field), vertex)] -
+                        discretization.first_dof(field) :
+                      numbers::invalid_dof_index;
       return at;
     };
-    const double weight = cross_section;
-    unsigned int next   = 0;
+    const double weight      = cross_section;
+    unsigned int next        = 0;
     const auto   exchange_of = [&](const RowContact &contact) {
       return contact.exchange.value_or(discretization.exchange_coefficient());
     };

@@ -79,8 +79,7 @@ namespace ThermoContact
     for (const unsigned int entry : constrained_entries(field))
       largest = std::max(largest,
                          std::abs(vector.begin()[entry] -
-                                  (is_right_end(entry) ? at_right :
-                                                                value)));
+                                  (is_right_end(entry) ? at_right : value)));
     return Utilities::MPI::max(largest, communicator());
   }
 
@@ -337,7 +336,7 @@ namespace ThermoContact
   {
     if (dim > 1 || !row_.is_given() || !has_field(field))
       return;
-    const unsigned int first_inner = 2;
+    const unsigned int                   first_inner = 2;
     std::vector<types::global_dof_index> dofs(finite_element_.dofs_per_cell);
     for (const auto &cell : dof_handler_.active_cell_iterators())
       if (is_gap(cell->active_cell_index()))

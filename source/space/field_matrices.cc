@@ -9,6 +9,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <functional>
 #include <initializer_list>
 #include <limits>
 
@@ -96,12 +97,24 @@ namespace ThermoContact
 
 
 
+    /** Weights of products at a point of a cell. */
+    struct ProductWeights
+    {
+      double gradients = 1., strains = 1., coupling = 1.;
+    };
+
+    template <int dim>
+    using WeightsAt = std::function<ProductWeights(const Point<dim> &)>;
+
+
+
     /** Integrals of products of the basis functions of a cell. */
     template <int dim>
     void
     integrate_products(const Material              &material,
                        const Discretization<dim>   &discretization,
                        const FEValues<dim>         &fe_values,
+                       const WeightsAt<dim>        &weights_at,
                        std::vector<CellBasis<dim>> &basis,
                        FullMatrix<double>          &stiffness,
                        FullMatrix<double>          &coupling)
@@ -112,15 +125,19 @@ namespace ThermoContact
         {
           evaluate_basis(discretization, fe_values, q, basis);
           const double weight = discretization.geometry().weight(fe_values, q);
+          const ProductWeights at =
+            weights_at ? weights_at(fe_values.quadrature_point(q)) :
+                         ProductWeights();
           for (unsigned int i = 0; i < basis.size(); ++i)
             for (unsigned int j = 0; j < basis.size(); ++j)
               {
                 const CellBasis<dim> &f = basis[i], &g = basis[j];
                 stiffness(i, j) +=
-                  (f.grad_theta * g.grad_theta +
-                   elastic_product(material, f.strain, g.strain)) *
+                  (at.gradients * (f.grad_theta * g.grad_theta) +
+                   at.strains * elastic_product(material, f.strain, g.strain)) *
                   weight;
                 coupling(i, j) +=
+                  at.coupling *
                   (f.theta * g.strain.trace + f.strain.trace * g.theta) *
                   weight;
               }
@@ -298,9 +315,9 @@ namespace ThermoContact
   double
   FieldMatrices<dim>::factor(const Kind kind, const unsigned int cell) const
   {
-    if (!scene.row.is_given())
-      return 1.;
-    const RowCell &of_row = scene.row.cells[cell];
+    if (!scene.row.is_given() || scene.row.cells[cell].varies)
+      return 1.; // within the integrals
+    const RodCoefficients &of_row = scene.row.cells[cell].whole;
     switch (kind)
       {
         case heat_mass:
@@ -442,16 +459,27 @@ namespace ThermoContact
         numbers::invalid_unsigned_int;
 
     const auto integrate = [&](const FEValues<dim> &values,
+                               const unsigned int   number,
                                const auto          &is_wanted) {
+      std::vector<RodCoefficients> at(values.n_quadrature_points);
+      const bool                   varies =
+        scene.row.is_given() && scene.row.cells[number].varies;
+      for (const unsigned int q : values.quadrature_point_indices())
+        if (varies)
+          at[q] = scene.row.of_rod(number, values.quadrature_point(q)[0]);
+        else
+          at[q].inertia = at[q].heat_mass = 1.;
       for (const unsigned int i : values.dof_indices())
         for (const unsigned int j : values.dof_indices())
           {
             const unsigned int c = fe.system_to_component_index(i).first;
             if (c == fe.system_to_component_index(j).first && is_wanted(c))
               for (const unsigned int q : values.quadrature_point_indices())
-                cell_mass(i, j) += values.shape_value(i, q) *
-                                   values.shape_value(j, q) *
-                                   discretization.geometry().weight(values, q);
+                cell_mass(i, j) +=
+                  (scene.fields.has_temperature && c == 0 ? at[q].heat_mass :
+                                                            at[q].inertia) *
+                  values.shape_value(i, q) * values.shape_value(j, q) *
+                  discretization.geometry().weight(values, q);
           }
     };
     bool had_axial_rule = false;
@@ -463,24 +491,26 @@ namespace ThermoContact
           const bool has_axial_rule =
             scene.has_midpoint_mass ||
             (scene.has_massless_nodes && touches_contact_end<dim>(cell));
+          const unsigned int number = cell->active_cell_index();
           fe_values.reinit(cell);
           if (!has_last_integrals(discretization, fe_values) ||
               has_axial_rule != had_axial_rule)
             {
               cell_mass = 0.;
-              integrate(fe_values, [&](const unsigned int c) {
+              integrate(fe_values, number, [&](const unsigned int c) {
                 return !(has_axial_rule && c == axial);
               });
               if (has_axial_rule)
                 {
                   axial_values.reinit(cell);
-                  integrate(axial_values,
-                            [&](const unsigned int c) { return c == axial; });
+                  integrate(axial_values, number, [&](const unsigned int c) {
+                    return c == axial;
+                  });
                 }
             }
           had_axial_rule = has_axial_rule;
           for (const Kind kind : {heat_mass, momentum_mass})
-            add(kind, cell, cell_mass, factor(kind, cell->active_cell_index()));
+            add(kind, cell, cell_mass, factor(kind, number));
         }
   }
 
@@ -497,8 +527,9 @@ namespace ThermoContact
                             update_values | update_gradients |
                               update_quadrature_points | update_JxW_values);
 
-    const unsigned int          n = fe.dofs_per_cell;
-    FullMatrix<double>          cell_stiffness(n, n), cell_coupling(n, n);
+    const unsigned int n = fe.dofs_per_cell;
+    FullMatrix<double> cell_stiffness(n, n), cell_coupling(n, n),
+      cell_viscous(n, n), unused(n, n);
     std::vector<CellBasis<dim>> basis(n);
     const FullMatrix<double>    extension =
       scene.has_elastic_contact_nodes ?
@@ -511,14 +542,32 @@ namespace ThermoContact
           !discretization.is_gap(cell->active_cell_index()))
         {
           const unsigned int number = cell->active_cell_index();
+          const bool         varies =
+            scene.row.is_given() && scene.row.cells[number].varies;
+          const auto rod_at = [&](const Point<dim> &place) {
+            return scene.row.of_rod(number, place[0]);
+          };
           fe_values.reinit(cell);
-          if (!has_last_integrals(discretization, fe_values))
-            integrate_products(scene.material,
-                               discretization,
-                               fe_values,
-                               basis,
-                               cell_stiffness,
-                               cell_coupling);
+          if (varies)
+            integrate_products<dim>(
+              scene.material,
+              discretization,
+              fe_values,
+              [&rod_at](const Point<dim> &place) -> ProductWeights {
+                const RodCoefficients at = rod_at(place);
+                return {at.conduction, at.stiffness, at.coupling};
+              },
+              basis,
+              cell_stiffness,
+              cell_coupling);
+          else if (!has_last_integrals(discretization, fe_values))
+            integrate_products<dim>(scene.material,
+                                    discretization,
+                                    fe_values,
+                                    {},
+                                    basis,
+                                    cell_stiffness,
+                                    cell_coupling);
           for (const Kind kind : {conduction, stiffness})
             add(kind, cell, cell_stiffness, factor(kind, number));
           if (scene.material.has_thermal_stress())
@@ -526,9 +575,24 @@ namespace ThermoContact
               add(kind, cell, cell_coupling, factor(kind, number));
           if (scene.material.has_dashpots && !scene.material.has_viscosity())
             continue; // they are all that resists velocities
-          if (scene.has_elastic_contact_nodes && touches_contact_end<dim>(cell))
+          if (varies)
             {
-              FullMatrix<double> cell_viscous(n, n);
+              integrate_products<dim>(
+                scene.material,
+                discretization,
+                fe_values,
+                [&rod_at](const Point<dim> &place) -> ProductWeights {
+                  return {0., rod_at(place).viscosity, 0.};
+                },
+                basis,
+                cell_viscous,
+                unused);
+              add(viscous_stiffness, cell, cell_viscous);
+            }
+          else if (scene.has_elastic_contact_nodes &&
+                   touches_contact_end<dim>(cell))
+            {
+              cell_viscous = 0.;
               cell_viscous.triple_product(cell_stiffness,
                                           extension,
                                           extension,
@@ -561,15 +625,10 @@ namespace ThermoContact
                       exchange.matrix.scatter_matrix_to(exchange.dofs,
                                                         exchange.dofs,
                                                         cell_matrix);
-                      // along a rod it is per volume
-                      const double section =
-                        is_lateral && scene.row.is_given() ?
-                          scene.row.cells[cell->active_cell_index()].section :
-                          1.;
                       for (const Kind kind : {conduction, heat_exchange})
-                        add(kind, cell, cell_matrix, section);
+                        add(kind, cell, cell_matrix);
                       if (is_lateral)
-                        add(lateral_exchange, cell, cell_matrix, section);
+                        add(lateral_exchange, cell, cell_matrix);
                     });
   }
 

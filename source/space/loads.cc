@@ -46,11 +46,6 @@ namespace ThermoContact
     unconstrained.close();
     if (!scene.fields.has_temperature)
       return;
-    const auto section_of = [&](const auto &cell) {
-      return scene.row.is_given() ?
-               scene.row.cells[cell->active_cell_index()].section :
-               1.;
-    };
     integrate_face(contact_boundary_id,
                    Field::temperature,
                    Functions::ConstantFunction<dim>(
@@ -69,14 +64,13 @@ namespace ThermoContact
             !discretization.is_gap(cell->active_cell_index()))
           faces.visit(cell,
                       [&](const CellMatrix &exchange, const bool is_lateral) {
-                        cell_load            = 0.;
-                        const double section = section_of(cell);
+                        cell_load = 0.;
                         for (unsigned int i = 0; i < exchange.dofs.size(); ++i)
                           for (unsigned int j = 0;
                                is_lateral && j < exchange.dofs.size();
                                ++j)
                             cell_load(exchange.dofs[i]) +=
-                              section * scene.heat.ambient_temperature *
+                              scene.heat.ambient_temperature *
                               exchange.matrix(i, j);
                         distribute(cell);
                       });
@@ -170,17 +164,18 @@ namespace ThermoContact
 
 
   template <int dim>
+  template <typename Factor>
   void
   Loads<dim>::add(const FEValuesBase<dim> &values,
                   const Function<dim>     &function,
                   const Field::Block       field,
-                  const double             factor)
+                  const Factor            &factor)
   {
     const unsigned int first = discretization.first_component(field);
     for (const unsigned int q : values.quadrature_point_indices())
       for (unsigned int c = 0; c < function.n_components; ++c)
         {
-          const double f_JxW = factor *
+          const double f_JxW = factor(values.quadrature_point(q)) *
                                function.value(values.quadrature_point(q), c) *
                                discretization.geometry().weight(values, q);
           for (const unsigned int i : values.dof_indices())
@@ -203,7 +198,9 @@ namespace ThermoContact
                        [&](const auto &cell, const unsigned int f) {
                          cell_load = 0.;
                          face_values.reinit(cell, f);
-                         add(face_values, load, field);
+                         add(face_values, load, field, [](const auto &) {
+                           return 1.;
+                         });
                          cell_load *= factor;
                          distribute(cell);
                        });
@@ -219,11 +216,16 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const BodyRow         &row = discretization.row();
-          const RowCell *const of_row =
-            row.is_given() ? &row.cells[cell->active_cell_index()] : nullptr;
+          const BodyRow     &row    = discretization.row();
+          const unsigned int number = cell->active_cell_index();
+          const auto         factor = [&](double RodCoefficients::*const part) {
+            return [&row, number, part](const Point<dim> &place) {
+              return row.is_given() ? row.in_equations(number, place[0]).*part :
+                                              1.;
+            };
+          };
           cell_load = 0.;
-          if (of_row != nullptr && of_row->is_gap)
+          if (discretization.is_gap(number))
             add_force_on_mass(cell);
           else
             {
@@ -232,12 +234,12 @@ namespace ThermoContact
                 add(fe_values,
                     *data.heat_source,
                     Field::temperature,
-                    of_row != nullptr ? of_row->section : 1.);
+                    factor(&RodCoefficients::section));
               if (data.body_force)
                 add(fe_values,
                     *data.body_force,
                     Field::displacement,
-                    of_row != nullptr ? of_row->inertia : 1.);
+                    factor(&RodCoefficients::inertia));
             }
           distribute(cell);
         }

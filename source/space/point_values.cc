@@ -90,7 +90,7 @@ namespace ThermoContact
         if (share.form != n_forms)
           {
             const IndexSet &owned =
-              discretization.owned_by_block()[                share.form == temperature_form ||
+              discretization.owned_by_block()[share.form == temperature_form ||
                                                   share.form == thermal_form ?
                                                 Field::temperature :
                                                 Field::displacement];
@@ -179,9 +179,13 @@ namespace ThermoContact
                value;
     };
 
-    const BodyRow           &row    = discretization.row();
-    const RowCell *const of_row =
-      row.is_given() ? &row.cells[cell->active_cell_index()] : nullptr;
+    const BodyRow        &row    = discretization.row();
+    const bool            is_row = row.is_given();
+    const unsigned int    number = cell->active_cell_index();
+    const RodCoefficients in_equations =
+      is_row ? row.in_equations(number, position[0]) : RodCoefficients();
+    const double section =
+      is_row ? row.of_rod(number, position[0]).section : 1.;
     for (unsigned int i = 0; i < dofs.size(); ++i)
       {
         const auto [component, shape] = fe.system_to_component_index(i);
@@ -189,10 +193,10 @@ namespace ThermoContact
           {
             const double value = rounded(base.shape_value(shape, unit_point));
             add(temperature_form, dofs[i], value);
-            if (of_row != nullptr)
+            if (is_row)
               add(thermal_form,
                   dofs[i],
-                  value * of_row->coupling / of_row->section);
+                  value * in_equations.coupling / section);
             continue;
           }
         const unsigned int d = component - first;
@@ -214,12 +218,11 @@ namespace ThermoContact
           0);
         add(strain_form,
             dofs[i] - offset,
-            of_row == nullptr ? stress :
-                                stress * of_row->stiffness / of_row->section);
-        if (of_row != nullptr)
+            is_row ? stress * in_equations.stiffness / section : stress);
+        if (is_row)
           add(viscous_form,
               dofs[i] - offset,
-              stress * of_row->viscosity / of_row->section);
+              stress * in_equations.viscosity / section);
       }
     shares.push_back({n_forms, place, 0, 1.});
   }

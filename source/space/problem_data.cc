@@ -28,7 +28,7 @@ namespace ThermoContact
     class RowFunction : public Function<1>
     {
     public:
-      RowFunction(const BodyRow                            &row,
+      RowFunction(const BodyRow                         &row,
                   std::vector<std::vector<Expression>> &&of_bodies,
                   const std::vector<double>             &before)
         : Function<1>(before.size())
@@ -50,7 +50,7 @@ namespace ThermoContact
       }
 
     private:
-      const BodyRow                                 &row;
+      const BodyRow                             &row;
       const std::vector<std::vector<Expression>> of_bodies;
       const std::vector<double>                  before;
     };

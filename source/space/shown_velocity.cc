@@ -9,11 +9,11 @@ namespace ThermoContact
   {
     if (!scene.has_midpoint_mass)
       return state.velocity;
-    memory                = state.velocity;
-    const unsigned int n  = memory.locally_owned_size();
-    const double      *v  = state.velocity.begin();
-    double            *at = memory.begin();
-    const auto show_rod = [=](const unsigned int first,
+    memory                      = state.velocity;
+    const unsigned int n        = memory.locally_owned_size();
+    const double      *v        = state.velocity.begin();
+    double            *at       = memory.begin();
+    const auto         show_rod = [=](const unsigned int first,
                               const unsigned int last) {
       for (unsigned int i = first + 1; i < last; ++i)
         at[i] = 0.5 * v[i] + 0.25 * (v[i - 1] + v[i + 1]);

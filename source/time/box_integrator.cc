@@ -204,11 +204,12 @@ namespace ThermoContact
     set_equal(known_displacement, state.displacement);
     known_velocity.begin()[0] -= end_velocity;
     // of the first cell
-    const BodyRow &row = body.scene.row;
-    const double   viscosity =
-      row.is_given() && !row.cells[0].is_gap ?
-          material.viscosity * row.cells[0].viscosity / row.cells[0].stiffness :
-          material.viscosity;
+    const BodyRow &row       = body.scene.row;
+    const double   viscosity = row.is_given() && !row.cells[0].is_gap ?
+                                 material.viscosity *
+                                 row.cells[0].whole.viscosity /
+                                 row.cells[0].whole.stiffness :
+                                 material.viscosity;
     known_displacement.begin()[0] += (tau + viscosity) * end_velocity;
     const Term inertia = {material.inertia,
                           RodMatrices::momentum_mass,

@@ -32,14 +32,12 @@ namespace ThermoContact
      * @param sign 1: the body on its left
      */
     ContactSide
-    side_of_row(const Body<1>     &body,
-                const unsigned int vertex,
-                const int          sign)
+    side_of_row(const Body<1> &body, const unsigned int vertex, const int sign)
     {
-      const BodyRow          &row      = body.scene.row;
-      const Material     &material = body.scene.material;
-      const unsigned int  next     = sign > 0 ? vertex - 1 : vertex;
-      ContactSide         side{
+      const BodyRow     &row      = body.scene.row;
+      const Material    &material = body.scene.material;
+      const unsigned int next     = sign > 0 ? vertex - 1 : vertex;
+      ContactSide        side{
         static_cast<double>(sign), vertex, 0, 0, 0., 0., 0., 0., 0.};
       if (next >= row.cells.size() || row.cells[next].is_gap)
         return side;
@@ -47,13 +45,17 @@ namespace ThermoContact
       for (unsigned int c = next; c < row.cells.size() && !row.cells[c].is_gap;
            c -= sign)
         ++side.n_cells;
-      side.inward    = -sign;
+      side.inward                  = -sign;
+      const RodCoefficients &whole = cell.whole;
+      const RowBody         &rod   = row.bodies[cell.body];
+      const RodCoefficients  end =
+        row.of_rod(next, sign > 0 ? rod.end : rod.begin);
       side.cell_size = cell.size;
       side.impedance =
-        std::sqrt(material.inertia * cell.inertia * cell.stiffness);
-      side.stiffness      = cell.stiffness;
-      side.viscosity      = material.viscosity * cell.viscosity / cell.stiffness;
-      side.thermal_stress = material.thermal_stress * cell.coupling;
+        std::sqrt(material.inertia * end.inertia * end.stiffness);
+      side.stiffness = whole.stiffness;
+      side.viscosity = material.viscosity * whole.viscosity / whole.stiffness;
+      side.thermal_stress = material.thermal_stress * whole.coupling;
       return side;
     }
   } // namespace

@@ -5,6 +5,7 @@
 hopkinson-bar: rho c A V/2 for 2 L/c at the striker, until its wave is back; the specimen has Z2 =
 sqrt(70/210 2700/7850) Z: the first force it passes on is the incident one times 4 Z Z2/(Z + Z2)^2; later forces
 approach the incident one, at both faces alike.
+horn: the mode of its head; the stress is E u_x of it, whatever the section.
 cradle, drop-weight, bouncing-ball: tests/verification/rows.cc; here impulses and events by name.
 rattling-rods: the pressure swings about 1 with growing amplitude, up to where k is cut.
 In fields the bodies stand side by side, and nothing is drawn between them.
@@ -75,6 +76,18 @@ elif title.startswith("Drop"):
     check("impulse", run.summary["contact_impulse"], 1.687620, 1e-5)
     check("duration", run.summary["contact_duration"], 3 + math.exp(-2) / 2, 1e-5)
     check("peak", run.summary["max_contact_force"], 2 + math.exp(-2), 0.01)
+elif title.startswith("Ultrasonic"):
+    k, beta = math.pi / 0.13, math.log(3) / 0.13
+    omega = math.sqrt(114e9 / 4430 * (k**2 + beta**2))
+    with open(directory / "probes.csv") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    swing = numpy.array([math.cos(omega * 1e-6 * float(row["time"])) for row in rows])
+    for i, x in enumerate((0, 0.065, 0.13)):
+        u, slope = (1e-6 * math.exp(beta * x) * value for value in (
+            math.cos(k * x) - beta / k * math.sin(k * x), -(beta**2 / k + k) * math.sin(k * x)))
+        for name, size, scale in (("displacement", u, 3e-6), ("stress", 114e9 * slope, 5.4e6)):
+            found = numpy.array([float(row[f"{name}_{i + 1}"]) for row in rows])
+            check(f"{name} at {x} m", abs(found - size * swing).max() / scale, 0, 0.005)
 elif title.startswith("Bouncing"):
     check("bounces", float(first["ball-obstacle"]["velocity"]), 2, 1e-12)
     check("restitution", run.summary["restitution"], 0, 1e-3)

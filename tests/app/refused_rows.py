@@ -35,6 +35,9 @@ SCENES = [
     ("Contact/Massless nodes", TWO + SDIRK, "Contact/Massless nodes=on", "Contact/Massless nodes=off"),
     ("Contact/Rear gap", TWO, "Contact/Rear gap=0.1", "Contact/Rear gap=none"),
     ("Contact/Gap", TWO, "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1"),
+    # an end where nothing is met
+    ("Boundary/right/Heat exchange", TWO + ALONE, "Boundary/right/Heat exchange=1+t", "Boundary/right/Heat exchange=1",
+     ("Boundary/right/Heat exchange=1+t", "Boundary/right/Temperature=1")),
     # two temperatures
     ("Boundary/right/Heat exchange", TWO, "Boundary/right/Heat exchange=1+theta", "Boundary/right/Heat exchange=1+gap",
      "Boundary/right/Heat exchange=1+t"),
@@ -82,6 +85,20 @@ SCENES = [
     ("Time/Scheme", BALLS + RIGID + (RESTITUTION + "=1",), "Time/Scheme=sdirk4", "Time/Scheme=box"),
     (CONDITION, FREE + TWO, (CONDITION + "=bonded", "Bodies/b/Kind=mass", "Bodies/b/Length=1"),
      CONDITION + "=bonded"),
+    # coefficients of x
+    ("Bodies/a/Section", TWO, "Bodies/a/Section=x", "Bodies/a/Section=0.01+x"),
+    ("Bodies/a/Density", TWO, "Bodies/a/Density=1-3*x", "Bodies/a/Density=1-x", "Bodies/a/Viscosity=x",
+     "Bodies/a/Coupling=1-3*x"),
+    ("Bodies/a/Viscosity", TWO, "Bodies/a/Viscosity=x-0.2", "Bodies/a/Viscosity=x"),
+    ("Bodies/a/Coupling", TWO, "Bodies/a/Coupling=sqrt(0.4-x)", "Bodies/a/Coupling=sqrt(0.6-x)"),
+    # as many parts as jumps and kinks make, and one more
+    ("Bodies/a/Cells", TWO + ("Bodies/a/Section=1+floor(20*x)",), "Bodies/a/Cells=1", "Bodies/a/Cells=10"),
+    ("Bodies/a/Cells", TWO + SDIRK + ("Bodies/a/Section=1+abs(x-0.2)",), "Bodies/a/Cells=1", "Bodies/a/Cells=2"),
+    ("Bodies/a/Stiffness", TWO, "Bodies/a/Stiffness=2+sin(1e9*x)", "Bodies/a/Stiffness=2+sin(x)"),
+    ("Bodies/a/Cells", TWO + ("Bodies/a/Conductivity=if(x<0.2,1,2)",), "Bodies/a/Cells=1", "Bodies/a/Cells=2",
+     "Bodies/a/Cells=automatic"),
+    ("Bodies/b/Heat capacity", rods("a") + mass("b"), "Bodies/b/Heat capacity=1+x", "Bodies/b/Heat capacity=2",
+     ("Bodies/b/Heat capacity=1+x", "Bodies/b/Kind=rod")),
     ("Contacts/a b/Heat exchange", TWO + ("Boundary/right/Heat exchange=1+gap",), "Contacts/a b/Heat exchange=2",
      "Contacts/a b/Heat exchange=none"),
     # ends that are held are of rods

@@ -293,8 +293,9 @@ namespace
         // of a linear law, on both sides of zero
         raise(largest, is_closed ? std::abs(s - law.tangent(0.) * p) : s);
         raise(largest,
-              std::abs(
-                k - exchange.coefficient(is_closed ? 0. : s, std::max(p, 0.))));
+              std::abs(k - exchange.coefficient(is_closed ? 0. : s,
+                                                std::max(p, 0.),
+                                                {theta, 0., 0.})));
       }
     return largest / scale;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Rows of rods and masses, doc/model.md section 6, against closed forms. Unless
-// something else is said b = 1, no heat, rigid contacts, scheme box; impedance Z
-// = A sqrt(E rho).
+// Rows of rods and masses, doc/model.md section 10, against closed forms.
+// Unless something else is said b = 1, no heat, rigid contacts, scheme box;
+// impedance Z = A sqrt(E rho).
 //
 // 1. Two free rods, Z = 1 (length 1/2, velocity 1) and Z = 2 (length 1, at
 //    rest), side by side: p = 2/3 for 0 < t < 1, then they part with 1/3; the
@@ -20,9 +20,9 @@
 //    Errors of the midpoint rule of the mass: of order 2 in the cells.
 // 4. A ball that falls from height 1 with gravity 2 on the ground with e = 1/2:
 //    impacts at t0 = 1 with velocity 2, then each e^n times 2 t0 later; at rest
-//    at t0 (1 + e)/(1 - e) = 3 with the pressure m gamma. Two balls, m = 1 and 3,
-//    velocity 1 and 0, e = 1/2: velocities (1 - 3 e)/4 and (1 + e)/4 behind. The
-//    energy that impacts take is booked, to rounding.
+//    at t0 (1 + e)/(1 - e) = 3 with the pressure m gamma. Two balls, m = 1 and
+//    3, velocity 1 and 0, e = 1/2: velocities (1 - 3 e)/4 and (1 + e)/4 behind.
+//    The energy that impacts take is booked, to rounding.
 // 5. Layers: a pressure 1 on the free left end of a rod with Z = 1 (length 1/2)
 //    bonded to one with Z = 3 (length 1) at a rigid obstacle: the front
 //    transmits 2 Z2/(Z1 + Z2) = 3/2, which a rigid obstacle doubles: p = 3 from
@@ -32,8 +32,9 @@
 //    Two parts in a contact that stays closed are the rod, too.
 // 7. Heat alone: two rods of length 1/2, conductivity 1 and 2, k = 4 between
 //    them, k = 1 to the obstacle at 0, theta_A = 10: resistances in a row
-//    1/2 + 1/4 + 1/4 + 1 = 2, flux 5; temperature of the right end 5, to 1e-8. An
-//    insulated rod at 0 beside a mass of heat capacity 2 at 3: both come to 2.
+//    1/2 + 1/4 + 1/4 + 1 = 2, flux 5; temperature of the right end 5, to 1e-8.
+//    An insulated rod at 0 beside a mass of heat capacity 2 at 3: both come
+//    to 2.
 // 8. Two rods between walls that press on each other and exchange heat by
 //    k(p) = 1/(1 - 12 (p - 1)), diffusivities 1 and 0.1, a = K = E = 1, no
 //    inertia, no thermoelastic heating, q = 1: disturbances grow like
@@ -109,9 +110,9 @@ namespace
   {
     Overrides bodies;
     for (const std::string name : {"a", "b", "c", "d"})
-      bodies = bodies +
-               body(name,
-                    {"Length=0.5", name == "a" ? "Velocity=1" : "Velocity=0"});
+      bodies =
+        bodies +
+        body(name, {"Length=0.5", name == "a" ? "Velocity=1" : "Velocity=0"});
     const RecordedRun result =
       run<1>("",
              elastic + free_ends + touching + bodies +
@@ -126,7 +127,7 @@ namespace
         }
     for (const ContactRecord &contact : result.rows.back().contacts)
       raise(impulse, std::abs(contact.contact_impulse - 0.5));
-    const StepRecord &last = result.rows.back();
+    const StepRecord &last  = result.rows.back();
     double            begin = 0.;
     unsigned int      n     = 0;
     for (const ContactEvent &event : result.events)
@@ -135,8 +136,7 @@ namespace
     deallog << "cradle: force " << within(force, 1e-12) << ", impulses "
             << within(impulse, 1e-12) << ", begins " << within(begin, 1e-12)
             << " of " << n << ", the last one flies "
-            << within(std::abs(last.displacement_end -
-                               (last.time - 1.5)),
+            << within(std::abs(last.displacement_end - (last.time - 1.5)),
                       1e-12)
             << std::endl;
   }
@@ -153,10 +153,9 @@ namespace
              (t > 2. ? 2. * std::exp(-m * (t - 2.)) * (1. - m * (t - 2.)) : 0.);
     };
     const bool   ends_before_4 = end < 4.;
-    const double impulse =
-      mass * (1. - std::exp(-2. * m)) +
-      mass * std::exp(-2. * m) * (1. - std::exp(-m * s)) +
-      2. * s * std::exp(-m * s);
+    const double impulse       = mass * (1. - std::exp(-2. * m)) +
+                           mass * std::exp(-2. * m) * (1. - std::exp(-m * s)) +
+                           2. * s * std::exp(-m * s);
     double errors[2], ends[2], impulses[2];
     for (const unsigned int i : {0, 1})
       {
@@ -170,16 +169,14 @@ namespace
                              "Time/End time=3.9"});
         errors[i] = 0.;
         for (const StepRecord &row : result.rows)
-          if (std::abs(row.time - 2.) > 2.5 * row.step_size && row.time > 0.02 &&
-              row.time < end - 0.02)
+          if (std::abs(row.time - 2.) > 2.5 * row.step_size &&
+              row.time > 0.02 && row.time < end - 0.02)
             // rows have the force of the end of a step
-            raise(errors[i],
-                  std::abs(row.contact_force - pressure(row.time)));
-        ends[i]     = ends_before_4 ? std::abs(result.events[1].time - end) : 0.;
-        impulses[i] = ends_before_4 ? std::abs(
-                                        result.rows.back().contact_impulse -
-                                        impulse) :
-                                      0.;
+            raise(errors[i], std::abs(row.contact_force - pressure(row.time)));
+        ends[i] = ends_before_4 ? std::abs(result.events[1].time - end) : 0.;
+        impulses[i] = ends_before_4 ?
+                        std::abs(result.rows.back().contact_impulse - impulse) :
+                        0.;
       }
     deallog << "mass " << mass << " on a rod: force " << within(errors[1], 1e-5)
             << ", of order 2 " << (errors[0] / errors[1] > 3.6);
@@ -208,7 +205,8 @@ namespace
       {
         raise(time, std::abs(ball.events[2 * n].time - hit));
         raise(velocity, std::abs(ball.events[2 * n].velocity - speed));
-        raise(velocity, std::abs(ball.events[2 * n + 1].velocity + 0.5 * speed));
+        raise(velocity,
+              std::abs(ball.events[2 * n + 1].velocity + 0.5 * speed));
         speed *= 0.5;
         hit += speed; // twice speed / gravity
       }
@@ -216,8 +214,8 @@ namespace
     deallog << "ball: impacts " << within(time, 1e-12) << ", velocities "
             << within(velocity, 1e-11) << ", at rest "
             << within(std::abs(ball.events.back().time - 3.), 1e-10)
-            << ", pressure "
-            << within(std::abs(last.contact_force - 6.), 1e-10) << ", energy "
+            << ", pressure " << within(std::abs(last.contact_force - 6.), 1e-10)
+            << ", energy "
             << within(std::abs(last.energy + last.contact_dissipation -
                                last.work),
                       1e-11)
@@ -236,7 +234,8 @@ namespace
             << within(std::abs(end.displacement_end - 0.375 * 0.65), 1e-12)
             << ", impulse "
             << within(std::abs(end.contact_impulse - 3. * 0.375), 1e-12)
-            << ", begin " << within(std::abs(balls.events[0].time - 0.35), 1e-12)
+            << ", begin "
+            << within(std::abs(balls.events[0].time - 0.35), 1e-12)
             << ", energy taken "
             << within(std::abs(end.contact_dissipation - 0.5 * 0.75 * 0.75),
                       1e-12)
@@ -286,34 +285,31 @@ namespace
                                   "Boundary/sides/Heat exchange=0.5",
                                   "Sources/Body force=0.2*sin(3*t)",
                                   "Time/End time=2"};
-        const Overrides steps  = is_box ? Overrides() :
-                                          Overrides{"Time/Step size=0.01"};
+        const Overrides steps =
+          is_box ? Overrides() : Overrides{"Time/Step size=0.01"};
         const RecordedRun whole =
           run<1>("",
                  common + steps +
                    Overrides{"Mesh/Cells=40",
                              "Initial values/Temperature=1-x",
                              "Initial values/Velocity=x"});
-        const RecordedRun parts =
-          run<1>("",
-                 common + steps +
-                   body("a",
-                        {"Length=0.25",
-                         "Cells=10",
-                         "Temperature=1-x",
-                         "Velocity=x"}) +
-                   body("b",
-                        {"Length=0.5",
-                         "Cells=20",
-                         "Temperature=0.75-x",
-                         "Velocity=0.25+x"}) +
-                   body("c",
-                        {"Length=0.25",
-                         "Cells=10",
-                         "Temperature=0.25-x",
-                         "Velocity=0.75+x"}) +
-                   Overrides{"Contacts/a b/Condition=bonded",
-                             "Contacts/b c/Condition=bonded"});
+        const RecordedRun parts = run<1>(
+          "",
+          common + steps +
+            body("a",
+                 {"Length=0.25", "Cells=10", "Temperature=1-x", "Velocity=x"}) +
+            body("b",
+                 {"Length=0.5",
+                  "Cells=20",
+                  "Temperature=0.75-x",
+                  "Velocity=0.25+x"}) +
+            body("c",
+                 {"Length=0.25",
+                  "Cells=10",
+                  "Temperature=0.25-x",
+                  "Velocity=0.75+x"}) +
+            Overrides{"Contacts/a b/Condition=bonded",
+                      "Contacts/b c/Condition=bonded"});
         double u = 0., theta = 0., force = 0., scale = 0.;
         for (unsigned int i = 0; i < whole.rows.size(); ++i)
           {
@@ -338,12 +334,12 @@ namespace
                 "Time/End time=1.8"};
     const RecordedRun whole =
       run<1>("",
-             pressed + Overrides{"Mesh/Cells=80",
-                                 "Initial values/Velocity=0"});
-    const RecordedRun cut   = run<1>("",
-                                   pressed + body("a", {"Length=0.5", "Cells=40"}) +
-                                     body("b", {"Length=0.5", "Cells=40"}));
-    double            force = 0.;
+             pressed + Overrides{"Mesh/Cells=80", "Initial values/Velocity=0"});
+    const RecordedRun cut =
+      run<1>("",
+             pressed + body("a", {"Length=0.5", "Cells=40"}) +
+               body("b", {"Length=0.5", "Cells=40"}));
+    double force = 0.;
     for (unsigned int i = 0; i < whole.rows.size(); ++i)
       raise(force,
             std::abs(whole.rows[i].contact_force -
@@ -396,8 +392,7 @@ namespace
     const RecordedRun result =
       run<1>("",
              body("slow",
-                  {"Heat capacity=10",
-                   "Temperature=1.5-x+1e-6*sin(pi*x/2)"}) +
+                  {"Heat capacity=10", "Temperature=1.5-x+1e-6*sin(pi*x/2)"}) +
                body("fast", {"Temperature=-0.5-x"}) +
                Overrides{"Model/Inertia=0",
                          "Model/Viscosity=0",
@@ -416,9 +411,9 @@ namespace
     };
     // p(t + 2) = a p(t + 1) + b p(t)
     const double determinant = p(7) * p(7) - p(6) * p(8);
-    const double a = (p(8) * p(7) - p(6) * p(9)) / determinant;
-    const double b = (p(7) * p(9) - p(8) * p(8)) / determinant;
-    const double factor = std::sqrt(-b);
+    const double a           = (p(8) * p(7) - p(6) * p(9)) / determinant;
+    const double b           = (p(7) * p(9) - p(8) * p(8)) / determinant;
+    const double factor      = std::sqrt(-b);
     deallog << "rattling rods: growth "
             << within(std::abs(std::log(factor) / 0.343062 - 1.), 1e-3)
             << ", frequency "
@@ -433,8 +428,7 @@ namespace
   check_audit()
   {
     const Overrides bodies =
-      body("hammer",
-           {"Kind=mass", "Mass=0.7", "Velocity=1", "Temperature=3"}) +
+      body("hammer", {"Kind=mass", "Mass=0.7", "Velocity=1", "Temperature=3"}) +
       body("a", {"Length=0.5", "Section=2", "Viscosity=0.5"}) +
       body("b", {"Length=0.4", "Density=2", "Stiffness=3", "Coupling=2"}) +
       body("c", {"Length=0.6", "Conductivity=3", "Temperature=2*x"});
@@ -443,19 +437,18 @@ namespace
       {
         const RecordedRun result =
           run<1>("",
-                 bodies +
-                   Overrides{"Model/Coupling=0.3",
-                             "Model/Viscosity=0.02",
-                             "Boundary/left/Support=free",
-                             "Boundary/left/Temperature=none",
-                             "Boundary/right/Heat exchange=" + exchange,
-                             "Contacts/a b/Condition=bonded",
-                             "Contact/Condition=normal compliance",
-                             "Contact/Compliance=0.01",
-                             "Contact/Gap=0.05",
-                             "Mesh/Cells=60",
-                             "Time/End time=4"});
-        const StepRecord &first = result.rows.front();
+                 bodies + Overrides{"Model/Coupling=0.3",
+                                    "Model/Viscosity=0.02",
+                                    "Boundary/left/Support=free",
+                                    "Boundary/left/Temperature=none",
+                                    "Boundary/right/Heat exchange=" + exchange,
+                                    "Contacts/a b/Condition=bonded",
+                                    "Contact/Condition=normal compliance",
+                                    "Contact/Compliance=0.01",
+                                    "Contact/Gap=0.05",
+                                    "Mesh/Cells=60",
+                                    "Time/End time=4"});
+        const StepRecord &first  = result.rows.front();
         double            defect = 0.;
         for (const StepRecord &row : result.rows)
           {

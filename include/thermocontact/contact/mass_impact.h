@@ -32,9 +32,9 @@ namespace ThermoContact
     /** Sum of $\frac12(1-e^2)v^2$, what impacts take of the energy per mass. */
     double loss;
 
-    bool   is_closed;    ///< in lasting contact at the end
-    double change_time;  ///< since the start, where lasting contact begins or
-                         ///< ends; meaningless if it does neither
+    bool   is_closed;   ///< in lasting contact at the end
+    double change_time; ///< since the start, where lasting contact begins or
+                        ///< ends; meaningless if it does neither
 
     /** One that does not last: when it was, and with what velocity. */
     struct Impact

@@ -15,24 +15,36 @@ namespace ThermoContact
 {
   using dealii::ParameterHandler;
 
+  /** A number, or else an expression of x along a rod, over the one of section
+   * Model or Rod. */
+  struct RodCoefficient
+  {
+    double      value = 1.;
+    std::string expression;
+  };
+
+
+
   /** A body of a row, section Bodies/NAME, (M10.1). */
   struct BodyParameters
   {
     std::string  name;
-    std::string  kind          = "rod";
-    double       length        = 1.;
-    unsigned int cells         = 0; ///< 0: automatic, until a Scene has it
-    double       section       = 1.; ///< $A$
-    double       stiffness     = 1.; ///< $E$
-    double       density       = 1.; ///< $\rho$
-    double       viscosity     = 1.; ///< of $\zeta$
-    double       coupling      = 1.; ///< of $a$
-    double       conductivity  = 1.; ///< $K$
-    double       heat_capacity = 1.; ///< $c$, or $C$ of a mass
-    double       mass          = 1.; ///< $m$
-    std::string  temperature   = "0";
-    std::string  displacement  = "0";
-    std::string  velocity      = "0";
+    std::string  kind   = "rod";
+    double       length = 1.;
+    unsigned int cells  = 0;  ///< 0: automatic, until a Scene has it
+    double       mass   = 1.; ///< $m$
+
+    RodCoefficient section;       ///< $A$
+    RodCoefficient stiffness;     ///< $E$
+    RodCoefficient density;       ///< $\rho$
+    RodCoefficient viscosity;     ///< of $\zeta$
+    RodCoefficient coupling;      ///< of $a$
+    RodCoefficient conductivity;  ///< $K$
+    RodCoefficient heat_capacity; ///< $c$, or $C$ of a mass
+
+    std::string temperature  = "0";
+    std::string displacement = "0";
+    std::string velocity     = "0";
 
     bool
     is_mass() const

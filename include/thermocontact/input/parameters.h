@@ -92,13 +92,13 @@ namespace ThermoContact
     struct Right : Attached
     {
       std::string           support = "contact";
-      std::optional<double> temperature;       ///< $\theta_B$; none: the next
-      double      heat_exchange = 1.;      ///< $k\ge0$ if it is a number,
-      std::string exchange_expression;     ///< or else in gap, pressure
-      double      surroundings = 0.;       ///< $\theta_{obs}$, a number,
-      std::string surroundings_expression; ///< or else in y, z, t
-      std::string traction  = "0";         ///< $t$
-      std::string heat_flux = "0";         ///< $h$
+      std::optional<double> temperature;         ///< $\theta_B$; none: the next
+      double                heat_exchange = 1.;  ///< $k\ge0$ if it is a number,
+      std::string           exchange_expression; ///< or else in gap, pressure
+      double                surroundings = 0.;   ///< $\theta_{obs}$, a number,
+      std::string           surroundings_expression; ///< or else in y, z, t
+      std::string           traction  = "0";         ///< $t$
+      std::string           heat_flux = "0";         ///< $h$
 
       bool
       is_clamped() const
@@ -139,8 +139,8 @@ namespace ThermoContact
     ContactLawParameters  law       = default_law_parameters();
     double                gap       = 0.1; ///< $g$ if it is a number,
     std::string           gap_expression;  ///< or else in y, z, t
-    std::optional<double> rear_gap;  ///< $g_2$; none: there is no rear stop
-    std::optional<double> stiffness; ///< N/m^m, in SI units; in compliance
+    std::optional<double> rear_gap;    ///< $g_2$; none: there is no rear stop
+    std::optional<double> stiffness;   ///< N/m^m, in SI units; in compliance
     std::optional<double> restitution; ///< $e$ of rigid contacts of masses
     std::string           massless_nodes = "automatic";
 

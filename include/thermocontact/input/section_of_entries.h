@@ -45,6 +45,11 @@ namespace ThermoContact
                          const bool         is_signed,
                          const std::string &or_word = "");
 
+    /** The same with these numbers. */
+    static NumberOrText
+    number_or_expression(const std::string              &names,
+                         const dealii::Patterns::Double &numbers);
+
     /** An expression alone, which a number is, too. */
     static NumberOrText
     expression(const std::string &names);

@@ -101,22 +101,22 @@ namespace ThermoContact
       are_reached(const double time);
     };
 
-    const std::string                     directory;
-    const OutputParameters                parameters;
-    const double                          end_time;
-    const MPI_Comm                        communicator;
-    const bool                            is_writer;
-    const OutputUnits                     units;
-    FieldOutput<dim>                      field_output;
-    Timer                                 field_timer;
-    Timer                                 since_flush;
-    const std::vector<Place<dim>>         probes;
-    PointValues<dim>                      probe_values;
-    CsvFile<StepRecord>                   contact_file;
-    CsvFile<StepRecord>                   poincare_file;
-    CsvFile<EventRow>                     events_file;
-    CsvFile<StepAttempt>                  steps_file;
-    CsvFile<ProbeRow>                     probes_file;
+    const std::string                                    directory;
+    const OutputParameters                               parameters;
+    const double                                         end_time;
+    const MPI_Comm                                       communicator;
+    const bool                                           is_writer;
+    const OutputUnits                                    units;
+    FieldOutput<dim>                                     field_output;
+    Timer                                                field_timer;
+    Timer                                                since_flush;
+    const std::vector<Place<dim>>                        probes;
+    PointValues<dim>                                     probe_values;
+    CsvFile<StepRecord>                                  contact_file;
+    CsvFile<StepRecord>                                  poincare_file;
+    CsvFile<EventRow>                                    events_file;
+    CsvFile<StepAttempt>                                 steps_file;
+    CsvFile<ProbeRow>                                    probes_file;
     std::vector<std::unique_ptr<CsvFile<ContactRecord>>> row_files;
     std::unique_ptr<SpaceTimeOutput<dim>> space_time_output; ///< if asked for
     unsigned int                          n_written_events = 0;

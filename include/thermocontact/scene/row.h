@@ -4,6 +4,7 @@
 #define thermocontact_scene_row_h
 
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/rod_profile.h>
 
 #include <optional>
 #include <string>
@@ -17,12 +18,13 @@ namespace ThermoContact
    */
   struct RowCell
   {
-    double size;
-    bool   is_gap;
+    double size   = 0.;
+    bool   is_gap = false;
 
-    // of the terms of the equations, with the section A of the rod
-    double section = 0., heat_mass = 0., conduction = 0., coupling = 0.,
-           inertia = 0., stiffness = 0., viscosity = 0.;
+    unsigned int    body   = 0;     ///< of a rod
+    double          begin  = 0.;    ///< in the rod
+    bool            varies = false; ///< the coefficients do within the cell
+    RodCoefficients whole;          ///< of the cell; at its begin if it varies
   };
 
 
@@ -57,6 +59,8 @@ namespace ThermoContact
     unsigned int first_cell; ///< of a rod
     unsigned int n_cells;    ///< 0: a mass
 
+    std::optional<RodProfile> profile; ///< of coefficients that vary
+
     std::string temperature, displacement, velocity; ///< in $x-x_{begin}$
   };
 
@@ -90,6 +94,18 @@ namespace ThermoContact
     {
       return is_given() ? bodies.back().end : 1.;
     }
+
+    /** The coefficients of the equations at a place of a cell, */
+    RodCoefficients
+    in_equations(const unsigned int cell, const double x) const;
+
+    /** and of the rod itself, where the cell has their means, (M10.7). */
+    RodCoefficients
+    of_rod(const unsigned int cell, const double x) const;
+
+    /** A rod has coefficients that vary. */
+    bool
+    has_varying_rods() const;
 
     /** "LEFT-RIGHT" of each contact, in their order; "LEFT-obstacle". */
     std::vector<std::string>
@@ -136,9 +152,9 @@ namespace ThermoContact
   BodyRow
   resolve_row(const Parameters &parameters);
 
-  /** The time in which a wave passes a rod of a row, $\ell\sqrt{b\rho/E}$. */
-  double
-  passage_of_rod(const Parameters &parameters, const BodyParameters &rod);
+  /** The times in which a wave passes a cell of each part of a rod of a row. */
+  std::vector<double>
+  passages_of_cells(const Parameters &parameters, const BodyParameters &rod);
 
   /** A contact with a mass, and the time that its force takes. */
   struct MassContact

@@ -40,7 +40,7 @@ namespace ThermoContact
     bool   has_clamped_right;
     double left_exchange; ///< $k_A$ of the end $x=0$
     BoundaryParameters::Attached left, right;
-    BodyRow                          row;
+    BodyRow                      row;
     double                       gap; ///< $g$ of all nodes; 0 with a shape
     std::optional<Expression>    gap_expression; ///< of a shape or a motion
 

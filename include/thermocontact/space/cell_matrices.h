@@ -23,13 +23,18 @@ namespace ThermoContact
 
 
 
+  template <int dim>
+  using CoefficientAt = std::function<double(const Point<dim> &)>;
+
+
+
   /** $\int c\,\varphi_i\varphi_j$ by the points of @p values. */
   template <int dim>
   CellMatrix
   mass_between(const Discretization<dim>      &discretization,
                const std::vector<std::size_t> &dofs,
                const FEValuesBase<dim>        &values,
-               const double                    coefficient);
+               const CoefficientAt<dim>       &coefficient);
 
 
 
@@ -37,7 +42,8 @@ namespace ThermoContact
    * Where heat exchange with a constant coefficient acts: at the contact end
    * with $k$, (M1.3), at the end $x=0$ with $k_A$ where it has no given
    * temperature, and with the surroundings, doc/model.md (M5.5), (D1.5):
-   * in all cells of a rod, whose sides are not on the mesh, with $m$, and on
+   * in all cells of a rod, whose sides are not on the mesh, with $m$, of a row
+   * with $mA$, (M10.1), and on
    * the lateral faces of a body, those at its axis of symmetry excepted, with
    * $m|A|/|\partial A|$, whose cross-section has one temperature then.
    */

@@ -70,13 +70,14 @@ namespace ThermoContact
     dealii::Vector<double>     cell_load;
     Vector                     outer_heat_;
 
-    /** Adds a function that acts on a field, times a factor, to the load of a
-     * cell. */
+    /** Adds a function that acts on a field, times a factor of the place, to
+     * the load of a cell. */
+    template <typename Factor>
     void
     add(const FEValuesBase<dim> &values,
         const Function<dim>     &function,
         const Field::Block       field,
-        const double             factor = 1.);
+        const Factor            &factor);
 
     /**
      * Adds a load on a part of the boundary to the sources, times a factor:

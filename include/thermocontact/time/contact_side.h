@@ -26,15 +26,15 @@ namespace ThermoContact
    */
   struct ContactSide
   {
-    double             sign;   ///< of motions along x into the contact
-    unsigned int       node;   ///< its place in a vector of displacements
-    int                inward; ///< from there to the next node; 0: a mass
-    unsigned int       n_cells;
-    double             cell_size;
-    double             impedance;      ///< $A\sqrt{b\rho E}$; of a mass 0
-    double             stiffness;      ///< $AE$
-    double             viscosity;      ///< $\zeta$
-    double             thermal_stress; ///< $Aa$
+    double       sign;   ///< of motions along x into the contact
+    unsigned int node;   ///< its place in a vector of displacements
+    int          inward; ///< from there to the next node; 0: a mass
+    unsigned int n_cells;
+    double       cell_size;
+    double       impedance;      ///< $A\sqrt{b\rho E}$; of a mass 0
+    double       stiffness;      ///< $AE$
+    double       viscosity;      ///< $\zeta$
+    double       thermal_stress; ///< $Aa$
 
     bool
     is_mass() const

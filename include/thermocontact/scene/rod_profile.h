@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_rod_profile_h
+#define thermocontact_scene_rod_profile_h
+
+#include <thermocontact/input/expression.h>
+#include <thermocontact/input/parameters.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** Factors of the terms of the equations in a rod of a row, (M10.1), with
+   * the section A of the rod. */
+  struct RodCoefficients
+  {
+    double section = 0., heat_mass = 0., conduction = 0., coupling = 0.,
+           inertia = 0., stiffness = 0., viscosity = 0.;
+  };
+
+  bool
+  operator==(const RodCoefficients &one, const RodCoefficients &other);
+
+
+
+  /**
+   * The coefficients of a rod of a row along its length, (M10.1): numbers, or
+   * expressions of $x$, which begins at the left end of the rod. Where they
+   * jump the mesh has nodes, and where they have kinks if its cells are not
+   * linear: the rod has parts in which they are smooth.
+   */
+  class RodProfile
+  {
+  public:
+    /**
+     * @param parameters whose degree decides whether kinks end parts
+     * @throw InputError if an expression cannot be read, changes too fast to be
+     *   searched for jumps, or has values that are not allowed
+     */
+    RodProfile(const Parameters &parameters, const BodyParameters &rod);
+
+    /** False: all of them are numbers. */
+    bool
+    varies() const;
+
+    /** At a place; at a jump it is the expression's choice. */
+    RodCoefficients
+    at(const double x) const;
+
+    /** Right inside one of the ends. */
+    RodCoefficients
+    at_end(const bool is_left) const;
+
+    unsigned int
+    n_parts() const
+    {
+      return ends.size() - 1;
+    }
+
+    /** Doubts about tables, for the user to look at. */
+    std::vector<std::string>
+    doubts() const;
+
+    /**
+     * The constants of a linear cell, (M10.7): means, of stiffness and
+     * conductivity over the parts in series.
+     */
+    RodCoefficients
+    of_cell(const double begin, const double end) const;
+
+    /** The time $\int\sqrt{b\rho/E}\,dx$ in which a wave passes each part. */
+    std::vector<double>
+    passages() const;
+
+    /** The numbers of cells of the parts, of all together @p wanted or else one
+     * for each, such that waves pass cells in like times. */
+    std::vector<unsigned int>
+    cells_of_parts(const unsigned int wanted) const;
+
+    /** The sizes of the cells, which waves pass in the same time within a
+     * part. */
+    std::vector<double>
+    cell_sizes(const unsigned int n_cells) const;
+
+    /** Whether it is made of the same expressions. */
+    bool
+    operator==(const RodProfile &other) const;
+
+  private:
+    enum Name
+    {
+      section,
+      stiffness,
+      density,
+      viscosity,
+      coupling,
+      conductivity,
+      heat_capacity,
+      n_coefficients
+    };
+
+    /** A number, or else an expression of the variable behind three empty ones,
+     * as loads have it. */
+    struct Coefficient
+    {
+      double                    number = 1.;
+      std::optional<Expression> expression;
+      double                    length = 1.; ///< of the rod
+
+      /** @throw InputError if the value is not allowed */
+      double
+      at(const double x) const;
+
+      bool may_be_zero     = false;
+      bool may_be_negative = false;
+    };
+
+    double                   length;
+    double                   inertia; ///< $b$
+    std::vector<Coefficient> all;
+    std::vector<double>      ends; ///< of the parts, with 0
+
+    /** $\sqrt{b\rho/E}$ */
+    double
+    slowness(const double x) const;
+
+    /** A piece of a part in which the slowness is resolved. */
+    struct Piece
+    {
+      double end;
+      double time; ///< up to there, from the begin of the part
+    };
+
+    std::vector<Piece>
+    pieces(const double begin, const double end) const;
+
+    /** Where a wave from @p begin is at a time. */
+    double
+    place_of(const double              time,
+             const double              begin,
+             const std::vector<Piece> &all) const;
+
+    /** Whether the slowness is the same everywhere. */
+    bool
+    has_one_speed() const;
+
+    /** Adds jumps of a coefficient, or kinks, too, to the ends of parts. */
+    void
+    find_breaks(const Coefficient &coefficient, const bool takes_kinks);
+  };
+} // namespace ThermoContact
+
+#endif
