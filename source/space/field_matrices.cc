@@ -617,10 +617,13 @@ namespace ThermoContact
     HeatExchangeFaces<dim> faces(scene, discretization);
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          !discretization.is_gap(cell->active_cell_index()))
+      if (cell->is_locally_owned())
         faces.visit(cell,
                     [&](const CellMatrix &exchange, const bool is_lateral) {
+                      // the end of a gap is that of a mass
+                      if (is_lateral &&
+                          discretization.is_gap(cell->active_cell_index()))
+                        return;
                       FullMatrix<double> cell_matrix(n, n);
                       exchange.matrix.scatter_matrix_to(exchange.dofs,
                                                         exchange.dofs,
