@@ -69,7 +69,7 @@ class Run(_Directory):
     """What one run wrote; a table that the scene does not have is an Error.
 
     contact, events, steps, probes, poincare: Tables; the last one has a row for each
-    Output/Period.
+    Output/Period. contacts: a dict of Tables, one for each contact of a row of bodies.
     """
 
     contact = cached_property(lambda self: read_table(self.directory / "contact.csv"))
@@ -77,6 +77,11 @@ class Run(_Directory):
     steps = cached_property(lambda self: read_table(self.directory / "steps.csv"))
     probes = cached_property(lambda self: read_table(self.directory / "probes.csv"))
     poincare = cached_property(lambda self: read_table(self.directory / "poincare.csv"))
+
+    @cached_property
+    def contacts(self):
+        """contacts/*.csv of a row of bodies: a dict {"LEFT-RIGHT": Table}, empty without a row."""
+        return {file.stem: read_table(file) for file in sorted((self.directory / "contacts").glob("*.csv"))}
 
     @cached_property
     def summary(self):

@@ -6,6 +6,7 @@
 #include <thermocontact/scene/coarser_scenes.h>
 #include <thermocontact/scene/scene.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ThermoContact
@@ -216,8 +217,30 @@ namespace ThermoContact
 
 
   std::string
+  reason_for_no_repeats(const Parameters &parameters)
+  {
+    if (!coarser_in_time(parameters).empty() ||
+        !coarser_in_space(parameters).empty())
+      return "";
+    const auto &bodies = parameters.row.bodies;
+    return parameters.row.is_given() &&
+               std::all_of(bodies.begin(),
+                           bodies.end(),
+                           [](const BodyParameters &body) {
+                             return body.is_mass();
+                           }) ?
+             "all bodies are rigid masses, which have no cells" :
+             "there are no fewer cells";
+  }
+
+
+
+  std::string
   describe_repeats(const Parameters &parameters)
   {
+    if (const std::string reason = reason_for_no_repeats(parameters);
+        !reason.empty())
+      return "none for error bars, since " + reason;
     std::string line = "for error bars, without files:";
     for (const auto &scenes :
          {coarser_in_time(parameters), coarser_in_space(parameters)})

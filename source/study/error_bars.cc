@@ -268,6 +268,9 @@ namespace ThermoContact
                    missed,
                    errors.time,
                    differences);
+    if (const std::string reason = reason_for_no_repeats(scene.parameters);
+        !reason.empty())
+      errors.remarks.push_back("error bars: none, since " + reason);
     // a warning of the run says why
     const bool has_largest_force =
       !is_largest_force_of_mesh(scene, simulation.events());

@@ -92,6 +92,17 @@ def check_run(folder):
     check("read", numpy.array_equal(again.contact["time"], contact["time"]))
 
 
+def check_row(folder):
+    """Two equal rods side by side, b = 1, of which one flies with 1: force 1/2 for the time 1 (d'Alembert)."""
+    run = thermocontact.run({
+        "Model/Fields": "displacement", "Model/Viscosity": 0, "Bodies/a/Length": 0.5, "Bodies/a/Velocity": 1,
+        "Bodies/b/Length": 0.5, "Contact/Condition": "rigid", "Contact/Gap": 0, "Boundary/left/Support": "free",
+        "Boundary/right/Support": "free", "Time/End time": 1.5}, output=folder / "row")
+    check("contacts", list(run.contacts) == ["a-b"] and run.contacts["a-b"].n_rows == run.contact.n_rows and
+          math.isclose(run.contacts["a-b"]["contact_impulse"][-1], 0.5, rel_tol=1e-9))
+    check("no contacts", thermocontact.read(folder / "a run").contacts == {})
+
+
 def check_study(folder):
     study = thermocontact.run({**SCENE, "Time/End time": 5, "Study/Keep files": True,
                                "Study/Vary": "Contact/Compliance = 0.5 | 1"},
@@ -274,6 +285,7 @@ def check_fit():
 
 with tempfile.TemporaryDirectory() as scratch:
     check_run(Path(scratch))
+    check_row(Path(scratch))
     check_study(Path(scratch))
     check_warnings(Path(scratch))
     check_ranks(Path(scratch))

@@ -46,6 +46,10 @@ namespace ThermoContact
   std::vector<CoarserScene>
   coarser_in_space(const Parameters &parameters);
 
+  /** Why error bars have no repeats, or nothing. */
+  std::string
+  reason_for_no_repeats(const Parameters &parameters);
+
   /** Which they are, and what they cost, for the screen. */
   std::string
   describe_repeats(const Parameters &parameters);
