@@ -150,7 +150,7 @@ namespace ThermoContact
   {
     const auto compliance = scene.contact.law->compliance();
     if (!compliance || *compliance >= 1. || !scene.material.has_inertia() ||
-        scene.parameters.dimension > 1)
+        scene.parameters.dimension > 1 || scene.row.is_given())
       return {};
     // chi grows from 0 to 1 with the length of the stage, here in 200 decades
     const auto excess = [&](const double log_tau) {

@@ -3,6 +3,7 @@
 #include <thermocontact/base/multiples.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/report/progress.h>
+#include <thermocontact/report/scene_report.h>
 
 namespace ThermoContact
 {
@@ -66,20 +67,20 @@ namespace ThermoContact
                             align_right(text(10. * n), 3),
                             " %   t = ",
                             align_left(units.text("time", record.time), 10));
-    const auto  add  = [&](const char  *name,
-                         const char  *kind,
-                         const double value) {
+    const auto  add  = [&](const std::string &name,
+                         const char        *kind,
+                         const double       value) {
       line += text("  ", name, " = ", align_left(units.text(kind, value), 12));
     };
     if (scene.fields.has_displacement)
-      add("u(1)", "length", record.displacement_end);
+      add(at_end("u", scene), "length", record.displacement_end);
     if (scene.contact.law->is_active())
       {
         add("gap", "length", record.gap);
         add("force", "force", record.contact_force);
       }
     if (scene.fields.has_temperature)
-      add("theta(1)", "temperature", record.temperature_end);
+      add(at_end("theta", scene), "temperature", record.temperature_end);
     line.erase(line.find_last_not_of(' ') + 1);
     if (const double left = seconds_left(record); left > shortest_time_left)
       line += "  " + clock_time(left) + " left";
@@ -100,7 +101,7 @@ namespace ThermoContact
     const double end_time = scene.parameters.time.end_time;
 
     const auto field =
-      [this](const char *name, const char *kind, const double value) {
+      [this](const std::string &name, const char *kind, const double value) {
         return text("  ", name, ' ', align_left(units.text(kind, value), 12));
       };
     const double percent = whole_intervals(0.01 * end_time, record.time);
@@ -112,9 +113,10 @@ namespace ThermoContact
                 field("force", "force", record.contact_force) :
                 field("gap  ", "length", record.gap);
     else if (scene.fields.has_displacement)
-      line += field("u(1)", "length", record.displacement_end);
+      line += field(at_end("u", scene), "length", record.displacement_end);
     else
-      line += field("theta(1)", "temperature", record.temperature_end);
+      line +=
+        field(at_end("theta", scene), "temperature", record.temperature_end);
     const std::string speed = steps_per_second < 10. ?
                                 significant(steps_per_second, 2) :
                                 fixed_point(steps_per_second, 0);

@@ -66,16 +66,19 @@ namespace ThermoContact
     {
       const OutputUnits        units(scene.parameters);
       std::vector<std::string> words;
-      const auto               add = [&](const char  *name,
-                           const char  *kind,
-                           const double value,
-                           const double predicted) {
+      const auto               add = [&](const std::string &name,
+                           const char        *kind,
+                           const double       value,
+                           const double       predicted) {
         if (std::isfinite(predicted))
           words.push_back(
             text(name, " by ", units.text(kind, value - predicted, 2)));
       };
-      add("u(1)", "length", record.displacement_end, rest.displacement_end);
-      add("theta(1)",
+      add(at_end("u", scene),
+          "length",
+          record.displacement_end,
+          rest.displacement_end);
+      add(at_end("theta", scene),
           "temperature difference",
           record.temperature_end,
           rest.temperature_end);

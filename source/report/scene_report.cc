@@ -268,14 +268,23 @@ namespace ThermoContact
 
 
   std::string
+  at_end(const std::string &field, const Scene &scene)
+  {
+    return field + (scene.row.is_given() ? "(right end)" : "(1)");
+  }
+
+
+
+  std::string
   describe_steady_state(const SteadyState &state, const Scene &scene)
   {
     const OutputUnits        units(scene.parameters);
     std::vector<std::string> words;
     if (scene.fields.has_displacement)
-      words.push_back("u(1) = " + units.text("length", state.displacement_end));
+      words.push_back(at_end("u", scene) + " = " +
+                      units.text("length", state.displacement_end));
     if (scene.fields.has_temperature)
-      words.push_back("theta(1) = " +
+      words.push_back(at_end("theta", scene) + " = " +
                       units.text("temperature", state.temperature_end));
     if (scene.contact.law->is_active())
       words.push_back("force " + units.text("force", state.contact_force) +
@@ -396,7 +405,9 @@ namespace ThermoContact
             (is_one ? " (" + gap + " at t = 0)" : "");
         log.line(
           "  contact   " +
-          join_words({contact.law->description(),
+          join_words({scene.row.is_given() && !contact.law->is_active() ?
+                        "none: bodies do not meet" :
+                        contact.law->description(),
                       contact.law->is_active() ? "g = " + gap : "",
                       contact.law->is_active() && contact.is_two_sided() ?
                         "g_2 = " + units.text("length", contact.rear_gap) :

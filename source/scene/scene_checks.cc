@@ -931,7 +931,17 @@ namespace ThermoContact
 
   namespace
   {
-    /** The same of the rods of a row. */
+    /** The time in which a wave passes a cell of a rod without a row. */
+    double
+    passage_without_row(const Scene &scene)
+    {
+      return scene.parameters.mesh.contact_spacing() *
+             std::sqrt(scene.material.inertia);
+    }
+
+
+
+    /** dispersion_warning() of the rods of a row. */
     std::string
     dispersion_warning_of_row(const Scene &scene)
     {
@@ -944,7 +954,8 @@ namespace ThermoContact
       for (const BodyParameters &body : parameters.row.bodies)
         if (!body.is_mass())
           for (const double passage : passages_of_cells(parameters, body))
-            if (std::abs(*size / passage - 1.) > Tolerances::same_step_size)
+            if (std::abs(*size / passage - 1.) * parameters.time.n_steps() >
+                Tolerances::drift_of_waves)
               {
                 others.push_back(body.name + " (" +
                                  units.text("time", passage) + ")");
@@ -964,19 +975,43 @@ namespace ThermoContact
 
 
 
+  bool
+  has_dispersion(const Scene &scene)
+  {
+    const Parameters &parameters = scene.parameters;
+    const auto        size       = parameters.time.step_size;
+    const auto        differs    = [&](const double passage) {
+      return std::abs(*size / passage - 1.) > Tolerances::same_step_size;
+    };
+    if (!scene.has_midpoint_mass || !size)
+      return false;
+    if (!scene.row.is_given())
+      return differs(passage_without_row(scene));
+    return std::any_of(parameters.row.bodies.begin(),
+                       parameters.row.bodies.end(),
+                       [&](const BodyParameters &body) {
+                         if (body.is_mass())
+                           return false;
+                         const auto passages =
+                           passages_of_cells(parameters, body);
+                         return std::any_of(passages.begin(),
+                                            passages.end(),
+                                            differs);
+                       });
+  }
+
+
+
   std::string
   dispersion_warning(const Scene &scene)
   {
     if (scene.row.is_given())
       return dispersion_warning_of_row(scene);
-    const auto size = scene.parameters.time.step_size;
-    // in which a wave passes a cell
-    const double passage = scene.parameters.mesh.contact_spacing() *
-                           std::sqrt(scene.material.inertia);
+    const auto             size    = scene.parameters.time.step_size;
+    const double           passage = passage_without_row(scene);
     const QuantityUnits    units(scene.parameters);
     constexpr unsigned int digits = 12; // sizes may differ by less than show
-    return !scene.has_midpoint_mass || !size ||
-               std::abs(*size / passage - 1.) <= Tolerances::same_step_size ?
+    return !has_dispersion(scene) ?
              "" :
              text("Time/Step size = ",
                   units.text("time", *size, digits),

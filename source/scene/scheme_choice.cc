@@ -641,8 +641,16 @@ namespace ThermoContact
       for (unsigned int i = 0; i < parameters.row.bodies.size(); ++i)
         if (const BodyParameters &body = parameters.row.bodies[i];
             body.cells != written.row.bodies[i].cells)
-          choice.entries.push_back(
-            {"Bodies/" + body.name + "/Cells", text(body.cells)});
+          {
+            choice.entries.push_back(
+              {"Bodies/" + body.name + "/Cells", text(body.cells)});
+            choice.shares_cells = true;
+          }
+      if (choice.shares_cells) // beside these numbers it has no effect
+        {
+          choice.entries.push_back({"Mesh/Cells", "automatic"});
+          choice.entries.push_back({"Mesh/Refinements", "0"});
+        }
       mesh.cells       = resolve_row(parameters).cells.size();
       mesh.refinements = 0;
       choice.has_unresolved_fronts =

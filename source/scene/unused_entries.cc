@@ -8,6 +8,7 @@
 #include <thermocontact/scene/scene_checks.h>
 
 #include <set>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -107,33 +108,72 @@ namespace ThermoContact
 
     /** Entries that bodies of a row do not have. */
     void
-    add_by_row(const Parameters &parameters, Collector &unused)
+    add_by_row(const Scene &scene, Collector &unused)
     {
-      const RowParameters &row = parameters.row;
+      const Parameters    &parameters = scene.parameters;
+      const RowParameters &row        = parameters.row;
       unused.add_if(row.is_given(),
                     {"Initial values/Temperature",
                      "Initial values/Displacement",
                      "Initial values/Velocity"},
                     "Bodies = a row, which has them");
+      unused.add_if(row.is_given() && !scene.scheme_choice.shares_cells,
+                    {"Mesh/Cells", "Mesh/Refinements"},
+                    "Bodies/NAME/Cells = a number for each rod");
+      unused.add_if(
+        row.is_given() && !parameters.boundary.right.meets_obstacle() &&
+          scene.heat.exchange && !scene.heat.exchange->is_constant(),
+        {"Boundary/right/Surroundings"},
+        "Boundary/right/Support = " + parameters.boundary.right.support +
+          " and Heat exchange is an expression");
+      const std::string fields = "Model/Fields = " + parameters.model.fields;
       for (const PairParameters &pair : row.pairs)
         {
           const std::string section = "Contacts/" + pair.name + "/";
-          for (const char *name : {"Gap", "Heat exchange"})
-            unused.add_if(pair.is_bonded(),
-                          {section + name},
-                          section + "Condition = bonded");
+          const std::pair<const char *, bool> of_fields[] = {
+            {"Gap", scene.fields.has_displacement},
+            {"Heat exchange", scene.fields.has_temperature}};
+          for (const auto &[name, has_field] : of_fields)
+            {
+              unused.add_if(pair.is_bonded(),
+                            {section + name},
+                            section + "Condition = bonded");
+              unused.add_if(!has_field, {section + name}, fields);
+            }
         }
       for (const BodyParameters &body : row.bodies)
         {
           const std::string section = "Bodies/" + body.name + "/";
           const auto        add     = [&](const bool         is_unused,
                                const Paths       &names,
-                               const std::string &kind) {
+                               const std::string &reason) {
             for (const std::string &name : names)
-              unused.add_if(is_unused,
-                            {section + name},
-                            section + "Kind = " + kind);
+              unused.add_if(is_unused, {section + name}, reason);
           };
+          const Material &material = scene.material;
+          add(!scene.fields.has_displacement,
+              {"Stiffness",
+               "Density",
+               "Viscosity",
+               "Coupling",
+               "Mass",
+               "Displacement",
+               "Velocity"},
+              fields);
+          add(!scene.fields.has_temperature,
+              {"Coupling", "Conductivity", "Heat capacity", "Temperature"},
+              fields);
+          add(!material.has_viscosity(), {"Viscosity"}, "Model/Viscosity = 0");
+          add(parameters.model.coupling == 0.,
+              {"Coupling"},
+              "Model/Coupling = 0");
+          add(!material.has_inertia(), {"Velocity"}, "Model/Inertia = 0");
+          add(!material.has_inertia() && !scene.sources.has_body_force,
+              {"Density"},
+              "Model/Inertia = 0");
+          add(material.is_static(),
+              {"Displacement"},
+              "Model/Inertia = 0 and Viscosity = 0");
           add(body.is_mass(),
               {"Length",
                "Cells",
@@ -143,8 +183,8 @@ namespace ThermoContact
                "Viscosity",
                "Coupling",
                "Conductivity"},
-              "mass");
-          add(!body.is_mass(), {"Mass"}, "rod");
+              section + "Kind = mass");
+          add(!body.is_mass(), {"Mass"}, section + "Kind = rod");
         }
     }
 
@@ -182,7 +222,7 @@ namespace ThermoContact
     unused.add_if(parameters.dimension == 1 && scene.has_sliding_end,
                   {"Boundary/left/Support"},
                   "Dimension = 1");
-    add_by_row(parameters, unused);
+    add_by_row(scene, unused);
     const BoundaryParameters::Left &left = parameters.boundary.left;
     unused.add_if(!scene.has_free_end,
                   {"Boundary/left/Traction",

@@ -46,7 +46,7 @@ namespace ThermoContact
       const bool can_create =
         scene.scheme.can_create_energy ||
         (scene.scheme.has_no_dispersion &&
-         (!dispersion_warning(scene).empty() || scene.row.has_varying_rods()));
+         (has_dispersion(scene) || scene.row.has_varying_rods()));
       return can_create && !scene.parameters.time.has_error_control() ?
                Tolerances::energy_of_fixed_steps :
                Tolerances::energy_of_rounding;

@@ -23,7 +23,11 @@ VALUES = {
     "Boundary/right/Support": "free", "Boundary/right/Temperature": "1",
     "Contacts/a b/Gap": "0.2", "Contacts/a b/Heat exchange": "2",
     **{f"Bodies/a/{name}": "2" for name in (
-        "Length", "Cells", "Section", "Stiffness", "Density", "Viscosity", "Coupling", "Conductivity", "Mass")},
+        "Length", "Cells", "Section", "Stiffness", "Density", "Viscosity", "Coupling", "Conductivity", "Mass",
+        "Heat capacity")},
+    "Bodies/a/Temperature": "1", "Bodies/a/Displacement": "0.01*x", "Bodies/a/Velocity": "1",
+    "Contacts/b a/Gap": "0.2", "Contacts/b a/Heat exchange": "2",
+    "Mesh/Cells": "20", "Mesh/Refinements": "1",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
     "Contact/Damping": "0.5", "Contact/Dashpot": "0.5", "Contact/Stiffness": "1e8", "Rod/Lateral sides": "confined",
     "Contact/Gap": "0.2", "Contact/Rear gap": "0.3", "Contact/Massless nodes": "on",
@@ -74,6 +78,8 @@ HEATED = ("Boundary/right/Temperature=1",)
 ROW = FREE + ("Bodies/b/Length=1",)
 OF_RODS = "; ".join(f"Bodies/a/{name}" for name in (
     "Length", "Cells", "Section", "Stiffness", "Density", "Viscosity", "Coupling", "Conductivity"))
+TWO = ROW + ("Bodies/a/Length=1",)
+BONDED = ("Bodies/b/Length=1", "Contacts/b a/Condition=bonded")
 ON_LEFT = "; ".join(f"Boundary/left/{what}" for what in ("Traction", "Spring", "Dashpot", "Mass"))
 ON_RIGHT = "; ".join(f"Boundary/right/{what}" for what in ("Spring", "Dashpot", "Mass"))
 HEAT_ON_LEFT = "; ".join(
@@ -102,6 +108,27 @@ SCENES = [
      ROW, ()),
     ("Bodies/a/Kind = mass", OF_RODS, ROW + ("Bodies/a/Kind=mass",), ROW),
     ("Bodies/a/Kind = rod", "Bodies/a/Mass", ROW + ("Bodies/a/Kind=rod",), ROW + ("Bodies/a/Kind=mass",)),
+    ("Bodies/NAME/Cells = a number for each rod", "Mesh/Cells; Mesh/Refinements", ROW + ("Bodies/b/Cells=4",), ROW),
+    ("Boundary/right/Support = free and Heat exchange is an expression", "Boundary/right/Surroundings",
+     ROW + ("Boundary/right/Support=free", "Boundary/right/Heat exchange=1+pressure"),
+     ROW + ("Boundary/right/Heat exchange=1+pressure",), ROW + ("Boundary/right/Support=free",)),
+    ("Model/Fields = temperature", "; ".join(f"Bodies/a/{name}" for name in (
+        "Stiffness", "Density", "Viscosity", "Coupling", "Displacement", "Velocity")),
+     ROW[1:] + ("Model/Fields=temperature",), ROW),
+    ("Model/Fields = temperature", "Contacts/b a/Gap", TWO[1:] + ("Model/Fields=temperature",), TWO),
+    ("Model/Fields = displacement", "Contacts/b a/Heat exchange", TWO + ("Model/Fields=displacement",), TWO),
+    ("Model/Fields = temperature", "Bodies/a/Mass", ROW[1:] + ("Model/Fields=temperature", "Bodies/a/Kind=mass"),
+     ROW + ("Bodies/a/Kind=mass",)),
+    ("Model/Fields = displacement", "; ".join(f"Bodies/a/{name}" for name in (
+        "Coupling", "Conductivity", "Heat capacity", "Temperature")),
+     ROW + ("Model/Fields=displacement",), ROW),
+    ("Model/Viscosity = 0", "Bodies/a/Viscosity", ROW + ("Model/Viscosity=0",), ROW),
+    ("Model/Coupling = 0", "Bodies/a/Coupling", ROW + ("Model/Coupling=0",), ROW),
+    ("Model/Inertia = 0", "Bodies/a/Velocity; Bodies/a/Density", BONDED + ("Model/Inertia=0",), ROW),
+    ("Model/Inertia = 0", "Bodies/a/Density", BONDED + ("Model/Inertia=0",),
+     BONDED + ("Model/Inertia=0", "Sources/Body force=1")),
+    ("Model/Inertia = 0 and Viscosity = 0", "Bodies/a/Displacement", BONDED + ("Model/Inertia=0", "Model/Viscosity=0"),
+     BONDED + ("Model/Inertia=0",)),
     ("Boundary/left/Temperature = 10", HEAT_ON_LEFT, (), ("Boundary/left/Temperature=none",)),
     ("Model/Fields = temperature", ON_LEFT + ";" + ON_RIGHT, ("Model/Fields=temperature",), FREE),
     ("Model/Fields = displacement", HEAT_ON_LEFT, ("Model/Fields=displacement",),

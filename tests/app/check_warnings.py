@@ -97,6 +97,8 @@ RIGID = ("Time/Scheme=sdirk4", "Time/Step size=automatic", "Time/End time=0",
 ROW = BOX + ("Initial values/Velocity=20*x*(x-1)^2", "Boundary/left/Support=free",
              "Mesh/Cells=50", "Time/Step size=automatic",
              "Time/Locate contact events=automatic")
+DIFFERENT = ROW + ("Mesh/Cells=automatic", "Contact/Condition=rigid", "Contact/Gap=0.1", "Bodies/a/Length=1",
+                   "Bodies/a/Cells=50", "Bodies/b/Cells=50", "Time/End time=2")
 # overrides and what the warning must say, by hand: the temperature of the fixed
 # end is 10; pressure = penetration/0.01
 START = [
@@ -145,6 +147,14 @@ START = [
      ["Contacts: a-b press on each other at the start with 2"]),
     (ROW + ("Contact/Condition=normal compliance", "Bodies/a/Length=1",
             "Bodies/b/Length=1"), []),
+    # passages 0.02 and 0.0202, of which the step is the mean; the other rods differ by half of 1e-5 in 100 steps
+    (DIFFERENT + ("Bodies/b/Length=1.01",),
+     ["Time/Step size = 0.0201: waves travel without dispersion where they pass a cell in that time, "
+      "and not in a (0.02), b (0.0202); remedy: lengths whose passages have a common measure, or more Mesh/Cells"]),
+    (DIFFERENT + ("Bodies/b/Length=1.00001",), []),
+    (ROW + ("Bodies/a/Kind=mass", "Bodies/a/Mass=1", "Contact/Restitution=1", "Mesh/Cells=automatic",
+            "Time/Step size=0.01", "Output/Error bars=true"),
+     ["error bars: none, since all bodies are rigid masses, which have no cells"]),
 ]
 
 # Loads that are not followed: overrides and the expression of the warning. The

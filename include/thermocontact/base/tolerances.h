@@ -192,6 +192,9 @@ namespace ThermoContact
     /** Step sizes this close to the passage of a cell are meant to be it. */
     inline constexpr double same_step_size = 1e-9;
 
+    /** The shortest waves of a row may stay behind by this part of a cell. */
+    inline constexpr double drift_of_waves = 1e-2;
+
     /**
      * Nodes of a mesh in the length of a front from which on the peak force is
      * right to about 1e-3, measured.

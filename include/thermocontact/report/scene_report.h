@@ -23,6 +23,10 @@ namespace ThermoContact
                   const unsigned int              n_reported,
                   Log                            &log);
 
+  /** The name of a field at the end of the body or of the row. */
+  std::string
+  at_end(const std::string &field, const Scene &scene);
+
   /** The quantities of an end state that the scene has, on one line. */
   std::string
   describe_steady_state(const SteadyState &state, const Scene &scene);

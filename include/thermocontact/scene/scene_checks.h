@@ -85,6 +85,10 @@ namespace ThermoContact
   std::string
   dispersion_warning(const Scene &scene);
 
+  /** True if these waves have any dispersion at all in some rod. */
+  bool
+  has_dispersion(const Scene &scene);
+
   /** A warning if error-controlled steps have to follow the oscillations of
    * contact nodes with mass on a hard obstacle, which no forecast knows; or
    * nothing. */

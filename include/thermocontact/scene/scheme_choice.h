@@ -32,6 +32,9 @@ namespace ThermoContact
      */
     bool has_unresolved_fronts = false;
 
+    /** Rods of a row share the cells of section Mesh. */
+    bool shares_cells = false;
+
     /** The value of @p path where it was chosen, or nullptr. */
     const std::string *
     find(const std::string &path) const;
