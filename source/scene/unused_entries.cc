@@ -120,12 +120,6 @@ namespace ThermoContact
       unused.add_if(row.is_given() && !scene.scheme_choice.shares_cells,
                     {"Mesh/Cells", "Mesh/Refinements"},
                     "Bodies/NAME/Cells = a number for each rod");
-      unused.add_if(
-        row.is_given() && !parameters.boundary.right.meets_obstacle() &&
-          scene.heat.exchange && !scene.heat.exchange->is_constant(),
-        {"Boundary/right/Surroundings"},
-        "Boundary/right/Support = " + parameters.boundary.right.support +
-          " and Heat exchange is an expression");
       const std::string fields = "Model/Fields = " + parameters.model.fields;
       for (const PairParameters &pair : row.pairs)
         {

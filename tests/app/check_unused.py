@@ -109,9 +109,6 @@ SCENES = [
     ("Bodies/a/Kind = mass", OF_RODS, ROW + ("Bodies/a/Kind=mass",), ROW),
     ("Bodies/a/Kind = rod", "Bodies/a/Mass", ROW + ("Bodies/a/Kind=rod",), ROW + ("Bodies/a/Kind=mass",)),
     ("Bodies/NAME/Cells = a number for each rod", "Mesh/Cells; Mesh/Refinements", ROW + ("Bodies/b/Cells=4",), ROW),
-    ("Boundary/right/Support = free and Heat exchange is an expression", "Boundary/right/Surroundings",
-     ROW + ("Boundary/right/Support=free", "Boundary/right/Heat exchange=1+pressure"),
-     ROW + ("Boundary/right/Heat exchange=1+pressure",), ROW + ("Boundary/right/Support=free",)),
     ("Model/Fields = temperature", "; ".join(f"Bodies/a/{name}" for name in (
         "Stiffness", "Density", "Viscosity", "Coupling", "Displacement", "Velocity")),
      ROW[1:] + ("Model/Fields=temperature",), ROW),

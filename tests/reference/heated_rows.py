@@ -44,7 +44,7 @@ class Scene:
         self.inertia, self.viscosity, self.coupling = number(0.3, 1.5), number(0.01, 0.1), number(0.05, 0.4)
         self.compliance = number(0.03, 0.2)
         self.exchange = (number(0.5, 3), number(1, 5), number(2, 20))
-        self.exchange_kind = draw.choice((CONSTANT, OF_CONTACT))
+        self.exchange_kind = draw.choice((CONSTANT, OF_CONTACT)) if self.right == "contact" else CONSTANT
         self.left_temperature = number(0, 2) if draw.random() < 0.5 and self.bodies[0]["kind"] == "rod" else None
         self.left_exchange, self.left_surroundings = number(0.2, 2), number(-1, 1)
         if self.left_temperature is None and self.bodies[0]["kind"] == "mass":
@@ -70,14 +70,12 @@ class Scene:
             "Contact/Condition=normal compliance", f"Contact/Compliance={self.compliance}",
             "Contact/Massless nodes=off", "Mesh/Degree=1", "Time/Scheme=sdirk4", "Time/Tolerance=1e-6",
             f"Time/End time={self.times[-1]}", f"Boundary/left/Support={'free' if self.left_free else 'clamped'}",
-            f"Boundary/right/Support={self.right}",
+            f"Boundary/right/Support={self.right}", f"Boundary/right/Surroundings={self.obstacle}",
             "Boundary/right/Heat exchange=" + (
                 str(self.exchange[0]) if kind == CONSTANT else kind.format(*self.exchange)),
             f"Sources/Body force={self.force}", f"Sources/Heat source={self.source}"]
         if self.right == "contact":
             entries.append(f"Contact/Gap={self.gaps[-1]}")
-        if self.right == "contact" or kind == CONSTANT:
-            entries.append(f"Boundary/right/Surroundings={self.obstacle}")
         if self.left_temperature is None:
             entries += ["Boundary/left/Temperature=none", f"Boundary/left/Heat exchange={self.left_exchange}"]
             if self.left_exchange:
@@ -169,7 +167,7 @@ class Row:
         self.mass_inverse = numpy.linalg.inv(self.mass[numpy.ix_(self.free_u, self.free_u)])
 
     def contacts(self, theta, u):
-        """Force and heat flux of each contact; the last of them that of a free end, where there is no force."""
+        """Force and heat flux of each contact."""
         result = []
         for left, right, gap in self.pairs:
             s = u[left] - (u[right] if right >= 0 else 0.) - gap
@@ -196,16 +194,12 @@ class Row:
                 force[right] += p
                 outer[right] += q
         if self.free_end:
-            outer[-1] -= self.end_exchange() * (theta[-1] - scene.obstacle)
+            outer[-1] -= scene.exchange[0] * (theta[-1] - scene.obstacle)
         heat = outer - self.conduction @ theta - self.divergence @ v
         theta_rate, v_rate = numpy.zeros(n), numpy.zeros(n)
         theta_rate[self.free_theta] = self.heat_inverse @ heat[self.free_theta]
         v_rate[self.free_u] = self.mass_inverse @ force[self.free_u]
         return numpy.concatenate([theta_rate, v, v_rate])
-
-    def end_exchange(self):
-        """k of a right end before which nothing stands: none if it depends on a contact."""
-        return self.scene.exchange[0] if self.scene.exchange_kind == CONSTANT else 0.
 
     def energy(self, theta, u, v):
         """(M2.2), relative to the temperature of the fixed end or of what surrounds it."""
