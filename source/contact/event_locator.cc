@@ -109,8 +109,10 @@ namespace ThermoContact
                              const NodeOrder   nodes,
                              const double      tolerance,
                              const bool        has_small_changes,
-                             const bool        has_velocity)
+                             const bool        has_velocity,
+                             const ContactLaw *rear_law)
     : law(law)
+    , rear_law(rear_law)
     , is_active(is_active)
     , nodes(nodes)
     , tolerance(tolerance)
@@ -142,7 +144,7 @@ namespace ThermoContact
   {
     for (const int at : {1, -1})
       if (const LocalValues local{values, at};
-          law.dashpot() > 0. && local.penetration(local.foremost()) > 0.)
+          law_of(at).dashpot() > 0. && local.penetration(local.foremost()) > 0.)
         return ContactMode::unilateral;
     return ContactMode::open;
   }
@@ -153,9 +155,10 @@ namespace ThermoContact
   EventLocator::way_to_contact(const LocalValues &local,
                                const unsigned int node) const
   {
-    const double s = local.penetration(node);
-    return law.dashpot() > 0. && s > 0. ?
-             0. - law.held_pressure(s, local.velocity(node)) :
+    const double      s   = local.penetration(node);
+    const ContactLaw &own = law_of(local.side);
+    return own.dashpot() > 0. && s > 0. ?
+             0. - own.held_pressure(s, local.velocity(node)) :
              0. - s;
   }
 
@@ -186,7 +189,8 @@ namespace ThermoContact
 
 
   bool
-  EventLocator::is_near(const double      s,
+  EventLocator::is_near(const ContactLaw &local_law,
+                        const double      s,
                         const double      rate,
                         const Scales     &sizes,
                         const BodyScales &scales) const
@@ -196,7 +200,7 @@ namespace ThermoContact
     // floating-point numbers of displacement and time tell no less apart
     const bool   has_mass = nodes == NodeOrder::inertial;
     const double size     = mode_ == ContactMode::closed && !has_mass ?
-                              law.penetration(sizes.pressure) :
+                              local_law.penetration(sizes.pressure) :
                               sizes.displacement;
     const double rounding =
       Tolerances::rounding_of_event * (size + std::abs(present.time * rate));
@@ -204,21 +208,22 @@ namespace ThermoContact
     // without mass that lets its pressure go at once costs half its square at
     // most.
     double smallest_scale = sizes.displacement;
-    if (!law.is_rigid())
+    if (!local_law.is_rigid())
       {
         smallest_scale =
-          std::min(smallest_scale, law.penetration_of_energy(scales.energy));
+          std::min(smallest_scale,
+                   local_law.penetration_of_energy(scales.energy));
         if (!has_mass)
           smallest_scale =
             std::min(smallest_scale,
-                     law.penetration(std::sqrt(2. * scales.energy)));
-        else if (law.dashpot() > 0.)
+                     local_law.penetration(std::sqrt(2. * scales.energy)));
+        else if (local_law.dashpot() > 0.)
           smallest_scale =
-            std::min(smallest_scale, scales.momentum / law.dashpot());
+            std::min(smallest_scale, scales.momentum / local_law.dashpot());
       }
     const bool has_small_impulse =
-      has_small_changes && has_mass && !law.is_rigid() &&
-      law.work_to(std::abs(s), std::abs(rate)) <=
+      has_small_changes && has_mass && !local_law.is_rigid() &&
+      local_law.work_to(std::abs(s), std::abs(rate)) <=
         0.1 * std::abs(rate) * tolerance * scales.momentum;
     return has_small_impulse ||
            std::abs(s) <= allowed_miss(smallest_scale) + rounding;
@@ -252,6 +257,7 @@ namespace ThermoContact
   {
     Scales sizes(largest);
     sizes.add(next);
+    const ContactLaw &local_law    = law_of(next.side);
     const double size         = next.values.time - present.time;
     double       zero         = infinity;
     unsigned int node         = 0;    // that changes first or is nearest to it
@@ -272,7 +278,7 @@ namespace ThermoContact
         const bool         starts_here =
           node_zero == 0. ||
           (node_zero < 0.1 && s.slope(0.) < 0. &&
-           is_near(s.value(0.), s.slope(0.) / size, sizes, scales));
+           is_near(local_law, s.value(0.), s.slope(0.) / size, sizes, scales));
         starts_near |= starts_here;
         all_start &= starts_here;
         if (node_zero < zero ||
@@ -280,7 +286,7 @@ namespace ThermoContact
           node = i;
         zero = std::min(zero, node_zero);
         const bool is_node_near =
-          is_near(s1, s.slope(1.) / size, sizes, scales) &&
+          is_near(local_law, s1, s.slope(1.) / size, sizes, scales) &&
           next.opposite_penetration(i) <= 0.; // past the play
         ends_near &= s1 >= 0. || is_node_near;
         is_near_zero |= is_node_near;
@@ -466,13 +472,13 @@ namespace ThermoContact
     double       s0   = sign * from.penetration(node);
     double       s1   = sign * next.penetration(node);
     if (mode_ == ContactMode::closed && nodes != NodeOrder::inertial &&
-        law.damping() == 0.)
+        !law_of(next.side).is_damped())
       {
         // the same with the digits that a stiff obstacle needs; the pressures
         // that a damped one has here are those of the penetrations, and
         // between two obstacles there is none
-        s0 = law.penetration(from.pressure(node));
-        s1 = law.penetration(next.pressure(node));
+        s0 = law_of(next.side).penetration(from.pressure(node));
+        s1 = law_of(next.side).penetration(next.pressure(node));
       }
     if (!has_velocity)
       return CubicHermite(s0, s1 - s0, s1, s1 - s0);

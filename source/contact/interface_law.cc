@@ -199,8 +199,8 @@ namespace ThermoContact
         const double of_rear  = local_rate();
         const double at_front = penetration_of(1, start) + tau * of_front;
         const double at_rear  = penetration_of(-1, start) + tau * of_rear;
-        const Damped front(*law, at_front, tau, is_held);
-        const Damped rear(*law, at_rear, tau, is_held);
+        const Damped front(law_of(1), at_front, tau, is_held);
+        const Damped rear(law_of(-1), at_rear, tau, is_held);
         return is_held ? (side > 0 ? front.resolve(z, r) :
                                      reversed(rear.resolve(-z, r))) :
                          TwoSided(front, rear, of_front, of_rear).resolve(z, r);
@@ -214,10 +214,15 @@ namespace ThermoContact
       }
     if (is_held || std::isinf(play))
       {
-        const bool is_in_front = is_held ? z >= 0. : side > 0;
-        return is_in_front ? law->resolve(z, r) : reversed(law->resolve(-z, r));
+        const bool        is_in_front = is_held ? z >= 0. : side > 0;
+        const ContactLaw &local       = law_of(side);
+        return is_in_front ? local.resolve(z, r) :
+                             reversed(local.resolve(-z, r));
       }
-    return TwoSided(*law, *law, side > 0 ? 0. : play, side > 0 ? play : 0.)
+    return TwoSided(law_of(1),
+                    law_of(-1),
+                    side > 0 ? 0. : play,
+                    side > 0 ? play : 0.)
       .resolve(z, r);
   }
 
@@ -246,17 +251,28 @@ namespace ThermoContact
 
 
 
+  bool
+  NodeLaw::is_in_contact(const double position, const double pressure) const
+  {
+    return pressure != 0. ||
+           (law_of(penetration_slope(position)).can_be_silent() &&
+            penetration(position) > 0.);
+  }
+
+
+
   double
   NodeLaw::pressure_at(const double position, const double velocity) const
   {
     if (is_held)
-      return side * law->held_pressure(side * position,
-                                       side * (velocity - local_rate()));
+      return side *
+             law_of(side).held_pressure(side * position,
+                                        side * (velocity - local_rate()));
     double pressure = 0.;
     for (const int sign : {1, -1})
       pressure +=
-        sign * law->damped_pressure(penetration_of(sign, position),
-                                    sign * (velocity - rate_of(sign)));
+        sign * law_of(sign).damped_pressure(penetration_of(sign, position),
+                                            sign * (velocity - rate_of(sign)));
     return pressure;
   }
 
@@ -265,8 +281,8 @@ namespace ThermoContact
   double
   NodeLaw::elastic_pressure(const double position) const
   {
-    return law->pressure(penetration_of(1, position)) -
-           law->pressure(penetration_of(-1, position));
+    return law_of(1).pressure(penetration_of(1, position)) -
+           law_of(-1).pressure(penetration_of(-1, position));
   }
 
 
@@ -317,7 +333,7 @@ namespace ThermoContact
   {
     double elastic = 0.;
     for (const int sign : {1, -1})
-      elastic += sign * elastic_part(*law,
+      elastic += sign * elastic_part(law_of(sign),
                                      std::max(sign * pressure, 0.),
                                      penetration_of(sign, position),
                                      sign * (velocity - rate_of(sign)),
@@ -335,11 +351,11 @@ namespace ThermoContact
                                  const double pressure) const
   {
     const int sign = sign_of(pressure);
-    return law->numerical_dissipation(sign *
-                                        (displacement - (sign > 0 ? way : 0.)),
-                                      penetration_of(sign, position),
-                                      sign * old_pressure,
-                                      sign * pressure);
+    return law_of(sign).numerical_dissipation(sign * (displacement -
+                                                      (sign > 0 ? way : 0.)),
+                                              penetration_of(sign, position),
+                                              sign * old_pressure,
+                                              sign * pressure);
   }
 
 
@@ -366,7 +382,7 @@ namespace ThermoContact
   double
   NodeLaw::position_of_pressure(const double pressure) const
   {
-    const double s = law->penetration(pressure); // odd
+    const double s = law_under(pressure).penetration(pressure); // odd
     return is_held || pressure == 0. ? s : obstacle(pressure > 0. ? 1 : -1) + s;
   }
 
@@ -375,11 +391,12 @@ namespace ThermoContact
   AffineLaw
   NodeLaw::tangent_of_pressure(const double pressure) const
   {
-    const double compliance = law->tangent(pressure);
+    const ContactLaw &own        = law_under(pressure);
+    const double      compliance = own.tangent(pressure);
     if (std::isinf(compliance))
       return {};
     // zero to the last digit if the law is linear
-    const double curved = law->penetration(pressure) - compliance * pressure;
+    const double curved = own.penetration(pressure) - compliance * pressure;
     return {compliance,
             is_held || pressure == 0. ?
               curved :

@@ -138,11 +138,13 @@ namespace ThermoContact
     class StepProblem
     {
     public:
-      StepProblem(const ContactLaw &law, const StepPath &path)
-        : law(law)
+      StepProblem(const ContactLaw &front,
+                  const ContactLaw &rear,
+                  const StepPath   &path)
+        : is_rigid(front.is_rigid())
         , path(path)
-        , obstacles{{{law, 1, path.front, path.front_rate, path.size},
-                     {law, -1, path.rear, 0., path.size}}}
+        , obstacles{{{front, 1, path.front, path.front_rate, path.size},
+                     {rear, -1, path.rear, 0., path.size}}}
         , n(std::isfinite(path.rear) ? 2 : 1)
       {}
 
@@ -150,7 +152,7 @@ namespace ThermoContact
       solve() const
       {
         const StepContact at_end = solve({{1., 1.}});
-        if (law.is_rigid() ||
+        if (is_rigid ||
             (at_end.pressure == 0. && path.front <= 0. && path.rear <= 0.))
           return at_end;
         const Ends ends = at_end.end_pressure == 0. ?
@@ -164,7 +166,7 @@ namespace ThermoContact
       }
 
     private:
-      const ContactLaw                 &law;
+      const bool                        is_rigid;
       const StepPath                   &path;
       const std::array<StepObstacle, 2> obstacles;
       const unsigned int                n; ///< of them
@@ -204,10 +206,11 @@ namespace ThermoContact
       Ends
       ends_under(const unsigned int i, const double pressure) const
       {
-        const StepObstacle &o    = obstacles[i];
-        Ends                ends = ends_at(o.touching_velocity() +
-                            o.sign * law.penetration(pressure) / path.size);
-        ends.at[i]               = o.end_of_pressure(pressure);
+        const StepObstacle &o   = obstacles[i];
+        const SideEnd       end = o.end_of_pressure(pressure);
+        Ends                ends =
+          ends_at(o.touching_velocity() + o.sign * end.penetration / path.size);
+        ends.at[i] = end;
         return ends;
       }
 
@@ -255,7 +258,7 @@ namespace ThermoContact
         // the pressure of a rigid obstacle
         const double rigid =
           0. - excess(ends_under(i, 0.), weights) / path.response;
-        if (law.is_rigid())
+        if (is_rigid)
           {
             StepContact contact;
             contact.velocity = obstacles[i].touching_velocity();
@@ -298,8 +301,10 @@ namespace ThermoContact
 
 
   StepContact
-  solve_step_contact(const ContactLaw &law, const StepPath &path)
+  solve_step_contact(const ContactLaw &front,
+                     const ContactLaw &rear,
+                     const StepPath   &path)
   {
-    return StepProblem(law, path).solve();
+    return StepProblem(front, rear, path).solve();
   }
 } // namespace ThermoContact

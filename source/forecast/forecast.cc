@@ -131,7 +131,7 @@ namespace ThermoContact
       scales.emplace_back("wave", wave);
     if (material.has_viscosity())
       scales.emplace_back("viscous", material.viscosity);
-    if (const auto compliance = scene.contact.law->compliance();
+    if (const auto compliance = scene.contact.compliance();
         compliance && material.has_inertia())
       {
         const double impedance = *compliance * wave;
@@ -148,7 +148,7 @@ namespace ThermoContact
   std::optional<double>
   critical_step_size(const Scene &scene)
   {
-    const auto compliance = scene.contact.law->compliance();
+    const auto compliance = scene.contact.compliance();
     if (!compliance || *compliance >= 1. || !scene.material.has_inertia() ||
         scene.parameters.dimension > 1 || scene.row.is_given())
       return {};
@@ -174,10 +174,11 @@ namespace ThermoContact
       {
         cost.is_driven = scene.sources.any();
         // a node with mass that bounces, on any law
-        cost.is_least = scene.material.has_inertia() &&
-                        scene.contact.law->is_active() &&
-                        !scene.contact.has_massless_nodes &&
-                        contact_nodes_oscillate(parameters, *scene.contact.law);
+        cost.is_least =
+          scene.material.has_inertia() && scene.contact.law->is_active() &&
+          !scene.contact.has_massless_nodes &&
+          (contact_nodes_oscillate(parameters, *scene.contact.law) ||
+           contact_nodes_oscillate(parameters, scene.contact.law_of(-1)));
         const double scaled =
           scaled_steps(scene) + (cost.is_driven ? scaled_steps(loads) : 0.);
         const auto free = steps_of_free_waves(scene);

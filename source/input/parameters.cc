@@ -9,6 +9,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace ThermoContact
 {
@@ -174,6 +175,51 @@ namespace ThermoContact
 
 
 
+  std::string
+  name_of_rear_entry(const std::string &entry)
+  {
+    return std::string("Rear ") +
+           static_cast<char>(std::tolower(entry.front())) + entry.substr(1);
+  }
+
+
+
+  bool
+  ContactParameters::has_own_rear_law() const
+  {
+    return rear_gap && std::any_of(of_rear_law.begin(),
+                                   of_rear_law.end(),
+                                   [](const auto &entry) {
+                                     return entry.second.has_value();
+                                   });
+  }
+
+
+
+  ContactLawParameters
+  ContactParameters::rear_law() const
+  {
+    ContactLawParameters parameters = law;
+    for (const auto &[name, value] : of_rear_law)
+      if (value)
+        parameters[name] = *value;
+    return parameters;
+  }
+
+
+
+  std::vector<std::unique_ptr<const ContactLaw>>
+  ContactParameters::make_laws() const
+  {
+    std::vector<std::unique_ptr<const ContactLaw>> laws;
+    laws.push_back(contact_law(condition).make(law));
+    if (has_own_rear_law())
+      laws.push_back(contact_law(condition).make(rear_law()));
+    return laws;
+  }
+
+
+
   void
   ContactParameters::add_parameters(ParameterHandler &prm)
   {
@@ -189,6 +235,11 @@ namespace ThermoContact
             Double(one.smallest, one.largest),
             [this, name = one.name](const double value) { law[name] = value; })
         .means(one.text, one.kind);
+    for (const ContactLawEntry &one : contact_law_entries())
+      entry(name_of_rear_entry(one.name),
+            of_rear_law[one.name],
+            NumberOrText::word("as in front"))
+        .means(one.name + " of the obstacle behind the end.", one.kind);
     entry("Stiffness", stiffness, NumberOrText::word("none"))
       .means("In place of Compliance in a file with section Rod: force over "
              "penetration, N/m, or over its power Exponent, N/m^m.",
@@ -204,7 +255,7 @@ namespace ThermoContact
              "length");
     entry("Rear gap", rear_gap, NumberOrText::word("none"))
       .means(
-        "Gap g_2 to a second obstacle of the same law behind the end, "
+        "Gap g_2 to a second obstacle of the same kind behind the end, "
         "u(1) >= -g_2; its pressures are negative. none: no such obstacle.",
         "length");
     entry("Restitution", restitution, NumberOrText::word("none"))

@@ -396,11 +396,12 @@ namespace ThermoContact
   SiScene::scaled(const Assignment &assignment, const std::string &text) const
   {
     const std::string kind = kind_of(assignment.path);
-    for (const char *const word : {"", "none", "automatic", "infinity"})
+    for (const char *const word :
+         {"", "none", "automatic", "infinity", "as in front"})
       if (text == word)
         return text;
     const bool   is_contact_law = kind == "stiffness" || kind == "compliance";
-    const double exponent       = is_contact_law ? law_exponent() : 1.;
+    const double exponent = is_contact_law ? law_exponent(assignment.path) : 1.;
     if (const auto split = split_unit(text);
         exponent != 1. && split && !split->unit.empty())
       refuse(assignment,
@@ -471,9 +472,12 @@ namespace ThermoContact
 
 
   double
-  SiScene::law_exponent() const
+  SiScene::law_exponent(const std::string &path) const
   {
-    const std::string exponent = "Contact/Exponent";
+    const std::string own = "Contact/" + name_of_rear_entry("Exponent");
+    const bool is_own = path == "Contact/" + name_of_rear_entry("Compliance") &&
+                        parse_number(given(own).value_or(""));
+    const std::string exponent = is_own ? own : "Contact/Exponent";
     if (!law.uses("Exponent"))
       return 1.;
     return parse_number(
@@ -550,7 +554,7 @@ namespace ThermoContact
       set_number("Contact/Compliance",
                  std::pow(*scales.stress * *scales.area /
                             number("Contact/Stiffness"),
-                          1. / law_exponent()) /
+                          1. / law_exponent("Contact/Stiffness")) /
                    *scales.length);
     const double end_time = number("Time/End time");
     if (!given("Output/Fields interval"))

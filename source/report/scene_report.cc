@@ -412,6 +412,9 @@ namespace ThermoContact
                       contact.law->is_active() && contact.is_two_sided() ?
                         "g_2 = " + units.text("length", contact.rear_gap) :
                         "",
+                      contact.rear_law ?
+                        "behind " + contact.rear_law->description() :
+                        "",
                       contact.law->is_active() && contact.has_massless_nodes ?
                         "massless contact nodes" :
                         ""}));

@@ -254,11 +254,12 @@ namespace ThermoContact
      * it.
      */
     bool
-    resolve_massless_nodes(const Parameters &parameters,
-                           const ContactLaw &law,
-                           const Scheme     &scheme,
-                           const bool        has_prescribed_start)
+    resolve_massless_nodes(const Parameters   &parameters,
+                           const SceneContact &contact,
+                           const Scheme       &scheme,
+                           const bool          has_prescribed_start)
     {
+      const ContactLaw &law = *contact.law;
       if (!law.is_active() || parameters.model.inertia == 0. ||
           parameters.mesh.n_nodes(1) == 2.)
         return false;
@@ -268,21 +269,24 @@ namespace ThermoContact
         return false; // its mass matrix knows no single nodes, or they carry it
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
-      if (law.is_damped())
+      if (contact.is_damped())
         return false; // it acts on what has inertia
       if (has_prescribed_start)
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||
              (parameters.dimension > 1 && law.is_rigid()) ||
-             contact_nodes_oscillate(parameters, law);
+             contact_nodes_oscillate(parameters, law) ||
+             contact_nodes_oscillate(parameters, contact.law_of(-1));
     }
 
 
 
+    /** Of these numbers; none where nothing can meet. */
     std::unique_ptr<const ContactLaw>
-    resolve_law(const Parameters  &parameters,
-                const SceneFields &fields,
-                const BodyRow     &row)
+    resolve_law(const Parameters           &parameters,
+                const SceneFields          &fields,
+                const BodyRow              &row,
+                const ContactLawParameters &numbers)
     {
       const bool can_meet =
         fields.has_displacement &&
@@ -290,7 +294,7 @@ namespace ThermoContact
                           parameters.boundary.right.meets_obstacle());
       return (can_meet ? contact_law(parameters.contact.condition) :
                          no_obstacle())
-        .make(parameters.contact.law);
+        .make(numbers);
     }
 
 
@@ -305,18 +309,23 @@ namespace ThermoContact
                     const bool              has_prescribed_start)
     {
       SceneContact contact;
-      contact.law = resolve_law(parameters, fields, row);
+      contact.law =
+        resolve_law(parameters, fields, row, parameters.contact.law);
+      if (contact.law->is_active() && parameters.contact.has_own_rear_law())
+        contact.rear_law =
+          resolve_law(parameters, fields, row, parameters.contact.rear_law());
       contact.gap = resolve_gap(parameters, gap);
       if (contact.law->is_active() && parameters.contact.rear_gap)
         contact.rear_gap = *parameters.contact.rear_gap;
       contact.has_massless_nodes = resolve_massless_nodes(parameters,
-                                                          *contact.law,
+                                                          contact,
                                                           scheme,
                                                           has_prescribed_start);
       contact.nodes_oscillate =
         material.has_inertia() && !contact.has_massless_nodes &&
-        contact.law->compliance() && !row.is_given() &&
-        contact_nodes_oscillate(parameters, *contact.law);
+        contact.compliance() && !row.is_given() && !contact.is_damped() &&
+        (contact_nodes_oscillate(parameters, *contact.law) ||
+         contact_nodes_oscillate(parameters, contact.law_of(-1)));
       contact.order = material.has_inertia() && !contact.has_massless_nodes ?
                         NodeOrder::inertial :
                       material.has_viscosity() && scheme.has_viscous_contact ?
@@ -413,13 +422,14 @@ namespace ThermoContact
                                      parameters.contact.gap_expression))
     , heat(resolve_heat(parameters, gap_expression.get()))
     , fixed_end_motion(resolve_motion(parameters, fields))
-    , sources(
-        resolve_sources(parameters,
-                        fields,
-                        heat,
-                        gap_expression.get(),
-                        fixed_end_motion != nullptr,
-                        resolve_law(parameters, fields, row)->is_active()))
+    , sources(resolve_sources(
+        parameters,
+        fields,
+        heat,
+        gap_expression.get(),
+        fixed_end_motion != nullptr,
+        resolve_law(parameters, fields, row, parameters.contact.law)
+          ->is_active()))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
     , has_prescribed_start(
         resolve_prescribed_start(parameters,
@@ -503,7 +513,7 @@ namespace ThermoContact
     add_if(law.is_active(),
            law.is_rigid() ? "rigid contact" :
                             scene.parameters.contact.condition);
-    add_if(law.is_damped(), "damped contact");
+    add_if(scene.contact.is_damped(), "damped contact");
     add_if(scene.contact.is_two_sided(), "two stops");
     add_if(scene.contact.has_massless_nodes, "massless contact nodes");
     add_if(scene.has_lumped_mass && (has_temperature || material.has_inertia()),

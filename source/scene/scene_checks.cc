@@ -71,31 +71,18 @@ namespace ThermoContact
 
 
 
-    /** Section Contact. */
+    /** An obstacle whose pressure depends on the velocity. */
     void
-    check_contact(const Scene &scene)
+    check_damping(const Scene       &scene,
+                  const std::string &damping,
+                  const std::string &dashpot,
+                  const ContactLaw  &law)
     {
-      const Parameters     &parameters = scene.parameters;
-      const ContactLawKind &law = contact_law(parameters.contact.condition);
-      for (const ContactLawEntry &entry : law.entries)
-        if (const double value = parameters.contact.law.at(entry.name);
-            entry.is_positive && !(value > 0.))
-          refuse("Contact/" + entry.name,
-                 value,
-                 "a positive number",
-                 "for a rigid obstacle set Contact/Condition = rigid");
-      const double gap = scene.contact.gap, rear_gap = scene.contact.rear_gap;
-      if (gap + rear_gap <= 0.)
-        refuse("Contact/Rear gap",
-               rear_gap,
-               text("above ", -gap, ", minus Contact/Gap"),
-               "a larger one: the stops overlap");
-      if (!scene.contact.law->is_damped())
+      if (!law.is_damped())
         return;
-      const double  c      = scene.contact.law->damping();
-      const double  d      = scene.contact.law->dashpot();
-      const Refusal damped = c > 0. ? Refusal{"Contact/Damping", text(c), "0"} :
-                                      Refusal{"Contact/Dashpot", text(d), "0"};
+      const double  c = law.damping(), d = law.dashpot();
+      const Refusal damped = c > 0. ? Refusal{damping, text(c), "0"} :
+                                      Refusal{dashpot, text(d), "0"};
       damped.since(scene.is_fixed_point,
                    "Solver/Step solver = fixed point",
                    "Solver/Step solver = monolithic: the iteration of the "
@@ -113,15 +100,74 @@ namespace ThermoContact
                    "obstacle does not leave them");
       if (d == 0.)
         return;
-      const Refusal dashpot{"Contact/Dashpot", text(d), "0"};
-      dashpot.since(scene.contact.has_massless_nodes,
-                    "Contact/Massless nodes = on",
-                    "Contact/Massless nodes = automatic: a dashpot stops a "
-                    "node without mass at once");
-      dashpot.since(scene.material.is_static(),
-                    "Model/Inertia = 0 and Model/Viscosity = 0",
-                    "Model/Viscosity above 0: a dashpot stops a body without "
-                    "inertia and viscosity at once");
+      const Refusal stops{dashpot, text(d), "0"};
+      stops.since(scene.contact.has_massless_nodes,
+                  "Contact/Massless nodes = on",
+                  "Contact/Massless nodes = automatic: a dashpot stops a "
+                  "node without mass at once");
+      stops.since(scene.material.is_static(),
+                  "Model/Inertia = 0 and Model/Viscosity = 0",
+                  "Model/Viscosity above 0: a dashpot stops a body without "
+                  "inertia and viscosity at once");
+    }
+
+
+
+    /** Section Contact. */
+    void
+    check_contact(const Scene &scene)
+    {
+      const Parameters     &parameters = scene.parameters;
+      const ContactLawKind &law = contact_law(parameters.contact.condition);
+      for (const ContactLawEntry &entry : law.entries)
+        {
+          const auto refuse_zero = [&](const std::string &name,
+                                       const double       value) {
+            if (entry.is_positive && !(value > 0.))
+              refuse("Contact/" + name,
+                     value,
+                     "a positive number",
+                     "for a rigid obstacle set Contact/Condition = rigid");
+          };
+          const double rear = parameters.contact.rear_law().at(entry.name);
+          refuse_zero(entry.name, parameters.contact.law.at(entry.name));
+          refuse_zero(name_of_rear_entry(entry.name), rear);
+          if (!(rear >= entry.smallest && rear <= entry.largest))
+            refuse("Contact/" + name_of_rear_entry(entry.name),
+                   rear,
+                   text(entry.smallest, " to ", entry.largest),
+                   "Contact/" + name_of_rear_entry(entry.name) +
+                     " = as in front");
+        }
+      const double gap = scene.contact.gap, rear_gap = scene.contact.rear_gap;
+      if (gap + rear_gap <= 0.)
+        refuse("Contact/Rear gap",
+               rear_gap,
+               text("above ", -gap, ", minus Contact/Gap"),
+               "a larger one: the stops overlap");
+      check_damping(scene,
+                    "Contact/Damping",
+                    "Contact/Dashpot",
+                    *scene.contact.law);
+      if (!scene.contact.rear_law)
+        return;
+      check_damping(scene,
+                    "Contact/Rear damping",
+                    "Contact/Rear dashpot",
+                    *scene.contact.rear_law);
+      for (const auto &[name, value] : parameters.contact.of_rear_law)
+        {
+          const Refusal     own{"Contact/" + name_of_rear_entry(name),
+                            text(value.value_or(0.)),
+                            "as in front"};
+          const std::string remedy = own.path + " = as in front";
+          own.since(value && !scene.scheme.needs_linear_contact.empty(),
+                    name_of_scheme(scene),
+                    remedy);
+          own.since(value && scene.is_fixed_point,
+                    "Solver/Step solver = fixed point",
+                    remedy);
+        }
     }
 
 
@@ -1032,7 +1078,7 @@ namespace ThermoContact
       return "";
     const double mass =
       scene.material.inertia * scene.parameters.mesh.contact_node_length();
-    const double compliance = scene.contact.law->tangent(1.);
+    const double compliance = *scene.contact.compliance();
     return text(
       "Contact/Massless nodes = ",
       scene.parameters.contact.massless_nodes,

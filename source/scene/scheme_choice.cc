@@ -343,18 +343,22 @@ namespace ThermoContact
     double
     length_of_contact(const Parameters &parameters)
     {
-      const auto law =
-        contact_law(parameters.contact.condition).make(parameters.contact.law);
-      if (!law->is_active())
-        return infinity;
-      const double mass       = parameters.boundary.right.mass;
-      const double compliance = law->tangent(0.);
-      if (!(law->is_linear() || mass > 0.) || !std::isfinite(compliance))
-        return 0.;
-      return std::max(law->is_linear() ? compliance : 0.,
-                      2. * dealii::numbers::PI *
-                        std::sqrt(compliance * mass /
-                                  parameters.model.inertia));
+      double shortest = infinity;
+      for (const auto &law : parameters.contact.make_laws())
+        {
+          if (!law->is_active())
+            continue;
+          const double mass       = parameters.boundary.right.mass;
+          const double compliance = law->tangent(0.);
+          if (!(law->is_linear() || mass > 0.) || !std::isfinite(compliance))
+            return 0.;
+          shortest = std::min(shortest,
+                              std::max(law->is_linear() ? compliance : 0.,
+                                       2. * dealii::numbers::PI *
+                                         std::sqrt(compliance * mass /
+                                                   parameters.model.inertia)));
+        }
+      return shortest;
     }
 
 
@@ -405,8 +409,15 @@ namespace ThermoContact
       if (written.dimension > 1 || written.mesh.degree == 1)
         return 0;
       const ModelParameters &model = written.model;
-      const auto             law =
-        contact_law(written.contact.condition).make(written.contact.law);
+      const auto             laws     = written.contact.make_laws();
+      const auto             softness = [](const auto &one) {
+        return one->is_linear() ? one->tangent(0.) : 0.;
+      };
+      const auto     &law        = *std::min_element(laws.begin(),
+                                          laws.end(),
+                                          [&](const auto &a, const auto &b) {
+                                            return softness(a) < softness(b);
+                                          });
       Parameters      parameters = written;
       MeshParameters &mesh       = parameters.mesh;
       mesh.cells                 = 1;

@@ -193,7 +193,21 @@ namespace ThermoContact
         paths.push_back("Contact/Stiffness");
       for (const ContactLawEntry &entry : contact_law_entries())
         if (!law.uses(entry.name))
-          paths.push_back("Contact/" + entry.name);
+          {
+            paths.push_back("Contact/" + entry.name);
+            paths.push_back("Contact/" + name_of_rear_entry(entry.name));
+          }
+      return paths;
+    }
+
+
+
+    Paths
+    entries_of_rear_law(const ContactLawKind &law)
+    {
+      Paths paths;
+      for (const ContactLawEntry &entry : law.entries)
+        paths.push_back("Contact/" + name_of_rear_entry(entry.name));
       return paths;
     }
   } // namespace
@@ -250,6 +264,9 @@ namespace ThermoContact
                    "Contact/Massless nodes",
                    "Time/Locate contact events"},
                   condition);
+    unused.add_if(!parameters.contact.rear_gap,
+                  entries_of_rear_law(law),
+                  "Contact/Rear gap = none");
     const BoundaryParameters::Right &right = parameters.boundary.right;
     const std::string                given =
       "Boundary/right/Temperature = " + text(right.temperature.value_or(0.));

@@ -51,7 +51,8 @@ namespace ThermoContact
                               Tolerances::fixed_step_event,
                             !body.scene.fields.has_temperature ||
                               body.scene.heat.exchange->is_constant(),
-                            !body.scene.material.is_static());
+                            !body.scene.material.is_static(),
+                            body.scene.contact.rear_law.get());
   }
 
 

@@ -177,14 +177,20 @@ namespace ThermoContact
     const ContactEnd<dim> &end = body.contact_end();
     end.get_values(Field::displacement, state.displacement, contact_values);
     record.displacement_end = end.mean(contact_values);
+    record.in_contact       = false;
     if (body.law().is_active())
       {
         get_node_laws(body, state, contact_laws, contact_values);
         record.gap = infinity;
         for (unsigned int i = 0; i < contact_laws.size(); ++i)
-          record.gap =
-            std::min(record.gap,
-                     0. - contact_laws[i].penetration(contact_values[i]));
+          {
+            record.gap =
+              std::min(record.gap,
+                       0. - contact_laws[i].penetration(contact_values[i]));
+            record.in_contact |=
+              contact_laws[i].is_in_contact(contact_values[i],
+                                            state.contact_pressure[i]);
+          }
       }
 
     if (!(body.scene.material.is_static() && state.was_moved_at_once()))
@@ -196,16 +202,13 @@ namespace ThermoContact
     const auto [smallest, largest] =
       std::minmax_element(state.contact_pressure.begin(),
                           state.contact_pressure.end());
-    const double largest_pressure = std::max(*largest, 0. - *smallest);
     record.contact_force          = end.mean(state.contact_pressure);
-    record.penetration            = body.law().penetration(largest_pressure);
-    record.in_contact             = largest_pressure > 0.;
-    if (body.law().is_damped())
-      {
-        record.penetration = std::max(0., 0. - record.gap);
-        if (!body.law().ends_with_pressure())
-          record.in_contact = record.penetration > 0.;
-      }
+    const SceneContact &contact   = body.scene.contact;
+    record.penetration =
+      contact.is_damped() ?
+        std::max(0., 0. - record.gap) :
+        std::max(contact.law->penetration(std::max(*largest, 0.)),
+                 contact.law_of(-1).penetration(std::max(0. - *smallest, 0.)));
     record.stress_end = mean_traction() - record.contact_force;
     if (const auto &right = body.scene.parameters.boundary.right;
         right.is_any())

@@ -238,7 +238,7 @@ namespace ThermoContact
                   state.contact_pressure.end(),
                   0.);
       }
-    else if (body.law().is_damped())
+    else if (body.scene.contact.is_damped())
       {
         get_node_laws(body, state, laws, position);
         for (unsigned int i = 0; i < laws.size(); ++i)
@@ -370,10 +370,8 @@ namespace ThermoContact
     end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
     for (unsigned int i = 0; i < p.size(); ++i)
       node_laws[i].face_pressure(p[i]); // it may have gone to the other side
-    const std::vector<double> acceleration =
-      static_nodes->solve_rates(rate_load,
-                                relative_velocities(state, node_laws),
-                                closing);
+    const std::vector<double> acceleration = static_nodes->solve_rates(
+      rate_load, relative_velocities(state, node_laws), node_laws, closing);
 
     for (const auto &[i, entry] : end.all_entries(Field::displacement))
       {
@@ -653,7 +651,7 @@ namespace ThermoContact
   Reset<dim>::settle_velocities(const std::vector<bool> &is_closed,
                                 State                   &state)
   {
-    const bool is_damped = body.law().is_damped();
+    const bool is_damped = body.scene.contact.is_damped();
     const bool is_viscous_at_rigid =
       body.law().is_rigid() && body.scene.contact.order == NodeOrder::viscous;
     if ((!is_damped && !is_viscous_at_rigid) || body.scene.has_midpoint_mass)
@@ -703,7 +701,7 @@ namespace ThermoContact
                                state);
     double work = 0.;
     if (is_event && body.scene.contact.is_in_equilibrium() &&
-        !body.law().is_damped()) // else velocities carry pressure, too
+        !body.scene.contact.is_damped()) // else velocities carry pressure, too
       {
         changed = true;
         std::vector<unsigned int> closing; // the others know it by pressure
@@ -719,7 +717,8 @@ namespace ThermoContact
         changed = true;
         // a dashpot pushes at once
         const bool is_held =
-          body.law().dashpot() > 0. && finding.changes_all_nodes;
+          body.scene.contact.law_of(finding.obstacle).dashpot() > 0. &&
+          finding.changes_all_nodes;
         if (is_held && !body.scene.material.has_inertia())
           set_velocity_of_viscous_body({}, state, is_held);
         else

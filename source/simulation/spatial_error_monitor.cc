@@ -348,11 +348,18 @@ namespace ThermoContact
   {
     const Material   &material = scene.material;
     const ContactLaw &law      = *scene.contact.law;
-    if (!law.is_active() || !law.is_linear() || !material.has_inertia() ||
+    if (!law.is_active() || !material.has_inertia() ||
         !material.has_viscosity())
       return infinity;
-    const double b = material.inertia, zeta = material.viscosity,
-                 compliance = law.tangent(0.);
+    const double b = material.inertia, zeta = material.viscosity;
+    const double dashpot =
+      std::max(law.dashpot(), scene.contact.law_of(-1).dashpot());
+    // at the first touch, where the viscous stress stops the end
+    if (scene.scheme.has_no_dispersion && dashpot > 0.)
+      return zeta / dashpot;
+    if (!law.is_rigid() && !scene.contact.compliance())
+      return infinity;
+    const double compliance = scene.contact.compliance().value_or(0.);
     return critical_step_size(b, zeta, compliance) < zeta ?
              layer_of_impact(b, zeta, compliance) :
              infinity;

@@ -30,7 +30,6 @@ namespace ThermoContact
     , loads(loads)
     , surroundings(surroundings)
     , contact(scene.contact)
-    , law(*contact.law)
     , material(scene.material)
     , heat(scene.heat)
     , has_work_(scene.has_work())
@@ -127,7 +126,8 @@ namespace ThermoContact
       elastic_pressures(state, end_pressure);
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
-      sum += discretization.contact_end().share(i) * law.energy(pressure[i]);
+      sum += discretization.contact_end().share(i) *
+             contact.law_of(pressure[i] < 0. ? -1 : 1).energy(pressure[i]);
     return sum;
   }
 
@@ -174,7 +174,8 @@ namespace ThermoContact
                    difference.displacement,
                    end_displacement);
     for (unsigned int i = 0; i < pressure.size(); ++i)
-      if (const double tangent = law.tangent(pressure[i]);
+      if (const double tangent =
+            contact.law_of(pressure[i] < 0. ? -1 : 1).tangent(pressure[i]);
           pressure[i] != 0. && tangent > 0.)
         terms.obstacle += 0.5 / tangent * end.share(i) * end_displacement[i] *
                           end_displacement[i];
@@ -336,7 +337,7 @@ namespace ThermoContact
   Energy<dim>::elastic_pressures(const State         &state,
                                  std::vector<double> &scratch) const
   {
-    if (!law.is_damped())
+    if (!contact.is_damped())
       return state.contact_pressure;
     const ContactEnd<dim> &end = discretization.contact_end();
     end.get_values(Field::displacement, state.velocity, end_velocity);
@@ -362,7 +363,7 @@ namespace ThermoContact
   double
   Energy<dim>::damping_rate(const State &state) const
   {
-    if (!law.is_damped())
+    if (!contact.is_damped())
       return 0.;
     const std::vector<double> &elastic = elastic_pressures(state, end_pressure);
     double                     rate    = 0.;

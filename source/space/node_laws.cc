@@ -9,7 +9,8 @@ namespace ThermoContact
   {
     const double u = position;
     NodeLaw      law(*contact.law);
-    law.play = gap + contact.rear_gap;
+    law.rear_law = contact.rear_law.get();
+    law.play     = gap + contact.rear_gap;
     position = u - gap;
     if (law.penetration_slope(position) < 0)
       {
@@ -66,7 +67,7 @@ namespace ThermoContact
                  std::vector<NodeLaw>   &laws,
                  std::vector<double>    &start)
   {
-    const bool is_in_velocity = body.law().is_damped();
+    const bool is_in_velocity = body.scene.contact.is_damped();
     get_node_laws(body, known, laws, start);
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
@@ -164,15 +165,15 @@ namespace ThermoContact
                                  state.known_penetration[i];
       }
     values.pressure = state.contact_pressure;
-    // a damped obstacle is left where the penetration ends, but for one whose
-    // dashpot does not pull
-    if (!contact.law->is_damped() || contact.law->ends_with_pressure())
+    if (!contact.is_damped())
       return;
     for (unsigned int i = 0; i < n; ++i)
       {
         double        position = values.displacement[i];
         const NodeLaw law      = make_node_law(contact, state.gap[i], position);
-        values.pressure[i]     = law.continued_pressure(position);
+        // it is left where the penetration ends
+        if (law.law_of(law.side).can_be_silent())
+          values.pressure[i] = law.continued_pressure(position);
       }
   }
 
@@ -219,7 +220,7 @@ namespace ThermoContact
   {
     const double p = state.contact_pressure[node];
     return (p < 0. ? -body.scene.contact.rear_gap : state.gap[node]) +
-           body.law().penetration(p);
+           body.scene.contact.law_of(p < 0. ? -1 : 1).penetration(p);
   }
 
 
@@ -239,7 +240,7 @@ namespace ThermoContact
         laws[i].is_held = is_held;
         // waves change the velocity of an end at a dashpot in the next step
         state.contact_pressure[i] =
-          body.scene.has_midpoint_mass && body.law().dashpot() > 0. ?
+          body.scene.has_midpoint_mass && body.scene.contact.has_dashpot() ?
             laws[i].elastic_pressure(position[i]) :
             laws[i].pressure_at(position[i], velocity[i]);
       }

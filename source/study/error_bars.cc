@@ -120,7 +120,7 @@ namespace ThermoContact
       KeyResults   errors;
       const double step       = *scene.parameters.time.step_size;
       const double impedance  = std::sqrt(scene.material.inertia);
-      const auto   compliance = scene.contact.law->compliance();
+      const auto   compliance = scene.contact.compliance();
       const bool   is_hard = compliance && 2. * *compliance * impedance < step;
       if (!is_hard && !scene.contact.law->is_rigid())
         return errors;

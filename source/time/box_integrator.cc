@@ -367,21 +367,23 @@ namespace ThermoContact
                               const State       &state,
                               const double       size) const
   {
-    const ContactLaw &law = body.law();
-    const double      u   = contacts[c].sum(
+    const SceneContact &contact = body.scene.contact;
+    const double        u       = contacts[c].sum(
       [&](const ContactSide &side) { return side.value(state.displacement); });
     const double p = state.contact_pressure[c];
     // the pressure has more digits than the difference of displacement and gap
-    const auto start = [&](const double penetration, const double pressure) {
+    const auto start = [](const ContactLaw &law,
+                          const double      penetration,
+                          const double      pressure) {
       return law.is_damped() ? penetration :
              pressure > 0.   ? law.penetration(pressure) :
                                std::min(penetration, 0.);
     };
     StepPath path;
     path.size       = size;
-    path.front      = start(u - state.gap[c], p);
+    path.front      = start(*contact.law, u - state.gap[c], p);
     path.front_rate = (obstacle.gap[c] - state.gap[c]) / size;
-    path.rear       = start(-u - body.scene.contact.rear_gap, -p);
+    path.rear       = start(contact.law_of(-1), -u - contact.rear_gap, -p);
     // bodies that rest side by side do not meet by the rounding of waves
     path.negligible_velocity =
       (body.scene.row.is_given() ? Tolerances::rounding_of_fronts :
@@ -419,15 +421,15 @@ namespace ThermoContact
                              const EndValues   &values,
                              EndContact        &end) const
   {
-    const ContactLaw  &law       = body.law();
     const StepContact &contact   = end.contact;
     const double       impedance = contacts[c].impedance;
     // with the waves that arrive at the end of the step, but for its own
     // pressure
     const double arriving = values.velocity + values.inner - values.old_middle +
                             contact.pressure / impedance;
-    const int    side = contact.end_pressure < 0. ? -1 : 1;
-    const double rate = side > 0 ? obstacle.gap_rate[c] : 0.;
+    const int         side = contact.end_pressure < 0. ? -1 : 1;
+    const ContactLaw &law  = body.scene.contact.law_of(side);
+    const double      rate = side > 0 ? obstacle.gap_rate[c] : 0.;
     end.end_pressure  = contact.end_pressure;
     if (const auto &now = end.releases.now; law.is_rigid() && now)
       {
@@ -560,7 +562,8 @@ namespace ThermoContact
     if (body.law().is_rigid() && contacts[c].is_of_masses())
       follow_masses(c, state, path, end);
     else if (body.law().is_active())
-      end.contact = solve_step_contact(body.law(), path);
+      end.contact =
+        solve_step_contact(body.law(), body.scene.contact.law_of(-1), path);
     end.releases = releases;
     if (auto &now = end.releases.now; now && body.law().is_rigid())
       {
@@ -781,7 +784,9 @@ namespace ThermoContact
       {
         const EndContact &end         = ends[c];
         new_state.contact_pressure[c] = end.end_pressure;
-        if (body.law().is_damped())
+        if (body.scene.contact.law_of(end.end_pressure < 0. ? -1 : 1)
+              .is_damped() ||
+            (end.end_pressure == 0. && body.scene.contact.is_damped()))
           continue;
         // on the obstacle to the last digit, and never behind it
         const double u = contacts[c].sum([&](const ContactSide &side) {
@@ -983,19 +988,24 @@ namespace ThermoContact
                                 const EndContact  &end,
                                 const State       &new_state) const
   {
-    const ContactLaw &law       = body.law();
     const Contact    &contact   = contacts[c];
     const bool        has_waves = contact.has_waves();
-    const bool   by_pressure    = !law.is_damped() || law.ends_with_pressure();
-    const double before         = by_pressure     ? state.contact_pressure[c] :
-                                  path.rear > 0.  ? -path.rear :
-                                  path.front > 0. ? path.front :
-                                                    0.;
-    const double after =
-      by_pressure ? end.end_pressure : end.contact.end_pressure;
+    const auto        law_of    = [&](const double pressure) -> const auto &
+    {
+      return body.scene.contact.law_of(pressure < 0. ? -1 : 1);
+    };
+    const double within =
+      path.rear > 0. ? -path.rear : std::max(path.front, 0.);
+    const double before = within != 0. && law_of(within).can_be_silent() ?
+                            within :
+                            state.contact_pressure[c];
+    const double after  = law_of(end.contact.end_pressure).can_be_silent() ?
+                            end.contact.end_pressure :
+                            end.end_pressure;
     if ((before != 0.) == (after != 0.))
       return std::nullopt;
 
+    const ContactLaw &law   = law_of(before != 0. ? before : after);
     const int    side  = (before != 0. ? before : after) < 0. ? -1 : 1;
     const double rate  = side > 0 ? path.front_rate : 0.;
     const double start = side > 0 ? path.front : path.rear;

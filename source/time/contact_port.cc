@@ -230,19 +230,20 @@ namespace ThermoContact
   void
   ContactPort<dim>::solve_rates(const Vector                    &forces,
                                 const std::vector<double>       &rate,
+                                const std::vector<NodeLaw>      &laws,
                                 const std::vector<unsigned int> &closing,
                                 Vector                          &y)
   {
     start(forces, rate, 1., y);
-    std::vector<AffineLaw> laws(tangents);
+    std::vector<AffineLaw> lines(tangents);
     for (const unsigned int i : closing)
-      laws[i] = NodeLaw(body.law()).tangent_of_pressure(0.);
-    for (AffineLaw &tangent : laws)
-      tangent.offset = 0.;
+      lines[i] = NodeLaw(laws[i].law_of(laws[i].side)).tangent_of_pressure(0.);
+    for (AffineLaw &line : lines)
+      line.offset = 0.;
     if (!system->has_factors())
       {
         std::vector<double> pressures;
-        solve(laws, true, positions_, pressures);
+        solve(lines, true, positions_, pressures);
         return;
       }
     system->solve(y, forces);
@@ -251,7 +252,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < free.size(); ++i)
       {
         free[i] += rate[i];
-        slope.push_back(laws[i].slope(response()(i, i)));
+        slope.push_back(lines[i].slope(response()(i, i)));
       }
     solve_with(change_of_pressure(response(), slope, free));
   }

@@ -173,7 +173,7 @@ namespace ThermoContact
     else
       {
         // no sum over stages, whose lengths only the motion decides
-        if (body.law().dashpot() > 0. && !pushes())
+        if (body.scene.contact.has_dashpot() && !pushes())
           result.contact_dissipation =
             body.energy.obstacle_energy(state) -
             body.energy.obstacle_energy(result.state);

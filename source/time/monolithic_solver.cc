@@ -260,7 +260,7 @@ namespace ThermoContact
               rates.pressure.begin());
     const FullMatrix<double> &displacement_response = response();
     rates.n_iterations =
-      problem.solve(body.law().is_damped() ?
+      problem.solve(body.scene.contact.is_damped() ?
                       factorizations.front().end.velocity_by_pressure :
                       displacement_response,
                     laws,
@@ -281,7 +281,8 @@ namespace ThermoContact
     const double           tau      = factorizations.front().tau;
     const ContactEnd<dim> &end      = body.contact_end();
     response.free                   = free;
-    response.x_per_displacement     = body.law().is_damped() ? 1. / tau : 1.;
+    response.x_per_displacement =
+      body.scene.contact.is_damped() ? 1. / tau : 1.;
     end.get_values(Field::temperature, known.temperature, known_values);
     end.get_values(Field::temperature,
                    rates.temperature_rate,
@@ -406,7 +407,7 @@ namespace ThermoContact
     std::vector<double>       slope(is_closed.size(), 0.);
     for (unsigned int i = 0; i < slope.size(); ++i)
       if (is_closed[i])
-        slope[i] = NodeLaw(body.law())
+        slope[i] = NodeLaw(body.scene.contact.law_of(pressure[i] < 0. ? -1 : 1))
                      .tangent_of_pressure(pressure[i])
                      .slope(receptance(i, i));
     const std::vector<double> change =
@@ -438,7 +439,7 @@ namespace ThermoContact
   MonolithicSolver<dim>::has_lost_digits(const State      &known,
                                          const StageRates &rates)
   {
-    if (body.law().is_damped())
+    if (body.scene.contact.is_damped())
       return false; // not a body in equilibrium with its obstacle
     const double tau        = factorizations.front().tau;
     double       free_moved = 0.;

@@ -93,11 +93,12 @@ namespace ThermoContact
   std::vector<double>
   NodeEquilibrium<dim>::solve_rates(const std::vector<double>       &load,
                                     const std::vector<double>       &rate,
+                                    const std::vector<NodeLaw>      &laws,
                                     const std::vector<unsigned int> &closing)
   {
     forces = 0.;
     body.contact_end().set_all_values(Field::displacement, load, forces);
-    port.solve_rates(forces, rate, closing, displacement);
+    port.solve_rates(forces, rate, laws, closing, displacement);
     return changes();
   }
 

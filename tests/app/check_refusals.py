@@ -90,6 +90,17 @@ SCENES = [
      "Contact/Dashpot=0.5", "Contact/Dashpot=0", "Contact/Damping=0.5",
      ("Contact/Dashpot=0.5", "Model/Viscosity=0.1"),
      ("Contact/Dashpot=0.5", "Model/Inertia=1")),
+    # a rear stop with numbers of its own
+    ("Contact/Rear compliance", ("Contact/Rear gap=0.1",), "Contact/Rear compliance=0",
+     "Contact/Rear compliance=1e-13", "Contact/Rear compliance=as in front"),
+    ("Contact/Rear exponent", POWER + ("Contact/Rear gap=0.1",), "Contact/Rear exponent=0.999",
+     "Contact/Rear exponent=1", "Contact/Rear exponent=10"),
+    *[("Contact/Rear compliance", scene + ("Contact/Rear gap=0.1",),
+       "Contact/Rear compliance=0.1", "Contact/Rear compliance=as in front")
+      for scene in (CONSERVING, ITERATION)],
+    ("Contact/Rear dashpot", ("Contact/Rear gap=0.1", "Contact/Rear dashpot=0.5"),
+     "Contact/Massless nodes=on", "Contact/Massless nodes=automatic",
+     ("Contact/Massless nodes=on", "Contact/Rear dashpot=as in front")),
     # an obstacle whose temperature varies
     ("Boundary/right/Surroundings", (), "Boundary/right/Surroundings=5*sin(t",
      "Boundary/right/Surroundings=5*sin(t)", "Boundary/right/Surroundings=-5"),

@@ -93,6 +93,8 @@ def check_quantities():
         "Contact/Dashpot": ("4e3", "4 N s/mm", 4e3 * L / (E * A * t)),
         "Contact/Gap": ("3e-4", "0.3 mm", 3e-4 / L),
         "Contact/Rear gap": ("5e-4", "500 \u00b5m", 5e-4 / L),
+        "Contact/Rear compliance": ("3e-12", "3 pm/Pa", 3e-12 * E / L),
+        "Contact/Rear damping": ("as in front", "as in front", None),
         "Initial values/Temperature": ("310", "36.85 degC", 10 / theta),
         "Initial values/Displacement": ("0", "0 m", 0),
         "Sources/Heat source": ("2e6", "2 MW/m^3", 2e6 * L / flux),

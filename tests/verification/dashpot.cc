@@ -29,6 +29,7 @@
 #include <tuple>
 
 #include "../mirror_image.h"
+#include "../oscillator.h"
 #include "../recorded_run.h"
 
 using namespace ThermoContact;
@@ -179,52 +180,29 @@ namespace
 
 
 
-  /** M u'' + d u' + k (u - rest) = 0: position and velocity. */
-  std::pair<double, double>
-  oscillation(const double d,
-              const double k,
-              const double rest,
-              const double y,
-              const double v,
-              const double t)
-  {
-    const double mass = 0.5, decay = 0.5 * d / mass,
-                 w = std::sqrt(k / mass - decay * decay), x = y - rest,
-                 q = (v + decay * x) / w;
-    const double c = std::cos(w * t), s = std::sin(w * t);
-    const double f = std::exp(-decay * t);
-    return {rest + f * (x * c + q * s),
-            f * ((q * w - decay * x) * c - (x * w + decay * q) * s)};
-  }
-
-
-
   Values
   exact_impact(const double t)
   {
-    const auto in = [&](const double at) {
-      return oscillation(0., 1., 0., 0., 1., at);
+    const auto in = [](const double at) {
+      return oscillation(0., 1., 0., {0., 1.}, at);
     };
     const double touch =
-      bracketed_root([&](const double at) { return in(at).first - gap; },
-                     0.,
-                     0.5)
+      bracketed_root([&](const double at) { return in(at).u - gap; }, 0., 0.5)
         .first;
     const double k      = 1. + 1. / compliance;
     const auto   closed = [&](const double at) {
       return oscillation(
-        dashpot, k, gap / compliance / k, gap, in(touch).second, at - touch);
+        dashpot, k, gap / compliance / k, {gap, in(touch).v}, at - touch);
     };
     const double end = bracketed_root(
                          [&](const double at) {
-                           const auto [u, v] = closed(at);
-                           return 0. - (u - gap) / compliance - dashpot * v;
+                           const Motion m = closed(at);
+                           return 0. - (m.u - gap) / compliance - dashpot * m.v;
                          },
                          touch + 0.2,
                          touch + 1.5)
                          .first;
-    const auto [u, v] = closed(end);
-    return {touch, end, oscillation(0., 1., 0., u, v, t - end).first};
+    return {touch, end, oscillation(0., 1., 0., closed(end), t - end).u};
   }
 
 

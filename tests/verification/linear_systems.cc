@@ -204,7 +204,7 @@ namespace
     answers[0].left   = left_by_nodes(
       body, answers[0].at_nodes, answers[0].pressure, load, nodes);
 
-    answers[1].at_nodes = nodes.solve_rates(load, rate, {});
+    answers[1].at_nodes = nodes.solve_rates(load, rate, {}, {});
     for (unsigned int i = 0; i < x.size(); ++i)
       answers[1].pressure.push_back(answers[0].pressure[i] > 0. ?
                                       (rate[i] + answers[1].at_nodes[i]) /

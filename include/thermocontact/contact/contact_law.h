@@ -114,6 +114,13 @@ namespace ThermoContact
       return is_rigid() || dashpot_ > 0.;
     }
 
+    /** Contact goes on without pressure while there is penetration. */
+    bool
+    can_be_silent() const
+    {
+      return damping_ > 0. && dashpot_ == 0.;
+    }
+
     /** True if the pressure is proportional to the penetration. */
     bool
     is_linear() const

@@ -247,7 +247,7 @@ namespace ThermoContact
   {
   public:
     /**
-     * @param law borrowed
+     * @param law in front, borrowed
      * @param is_active false: all steps are unilateral
      * @param nodes their order
      * @param tolerance relative accuracy of an event
@@ -255,13 +255,15 @@ namespace ThermoContact
      *   an event, so that a miss by a small impulse is not a small one
      * @param has_velocity false: velocities of a static body say nothing, so
      *   that margins are interpolated linearly
+     * @param rear_law borrowed; none: as in front
      */
     EventLocator(const ContactLaw &law,
                  const bool        is_active,
                  const NodeOrder   nodes,
                  const double      tolerance,
                  const bool        has_small_changes = true,
-                 const bool        has_velocity      = true);
+                 const bool        has_velocity      = true,
+                 const ContactLaw *rear_law          = nullptr);
 
     /** Forgets all and takes the initial state. */
     void
@@ -386,17 +388,26 @@ namespace ThermoContact
 
   private:
     const ContactLaw &law;
+    const ContactLaw *rear_law;
     const bool        is_active;
     const NodeOrder   nodes;
     const double      tolerance;
     const bool        has_small_changes;
     const bool        has_velocity;
 
-    /** True if the margin of a node is its pressure. */
+    /** The law of the obstacle in front, 1, or behind, -1. */
+    const ContactLaw &
+    law_of(const int obstacle) const
+    {
+      return obstacle < 0 && rear_law != nullptr ? *rear_law : law;
+    }
+
+    /** True if the margin of a node is its pressure; all are at one obstacle.
+     */
     bool
     is_margin_pressure() const
     {
-      return mode_ == ContactMode::closed && law.ends_with_pressure();
+      return mode_ == ContactMode::closed && law_of(side).ends_with_pressure();
     }
 
     /** Margin s of a node over the step. */
@@ -429,7 +440,8 @@ namespace ThermoContact
 
     /** True if a margin s is as good as zero, (C3.1). */
     bool
-    is_near(const double      s,
+    is_near(const ContactLaw &local_law,
+            const double      s,
             const double      rate,
             const Scales     &sizes,
             const BodyScales &scales) const;

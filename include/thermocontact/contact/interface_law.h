@@ -228,6 +228,9 @@ namespace ThermoContact
 
     const ContactLaw *law = nullptr; ///< borrowed
 
+    /** Of the obstacle behind the node, borrowed; none: as in front. */
+    const ContactLaw *rear_law = nullptr;
+
     /** 1: the local obstacle is the one in front; -1: the one behind. */
     int side = 1;
 
@@ -251,6 +254,17 @@ namespace ThermoContact
 
     NodalPressure
     resolve(const double z, const double r) const override;
+
+    /** The law of the obstacle in front, 1, or behind, -1. */
+    const ContactLaw &
+    law_of(const int sign) const
+    {
+      return sign < 0 && rear_law != nullptr ? *rear_law : *law;
+    }
+
+    /** True if the node is in contact at a position, with this pressure. */
+    bool
+    is_in_contact(const double position, const double pressure) const;
 
     /** The part of the local obstacle in a motion of the obstacle in front,
      * since the one behind rests. */
@@ -402,6 +416,13 @@ namespace ThermoContact
     tangent_of_pressure(const double pressure) const;
 
   private:
+    /** The law that a node with this pressure follows. */
+    const ContactLaw &
+    law_under(const double pressure) const
+    {
+      return law_of(is_held ? side : sign_of(pressure));
+    }
+
     /** Penetration of the obstacle in front, 1, or behind, -1. */
     double
     penetration_of(const int sign, const double position) const

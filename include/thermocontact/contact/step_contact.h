@@ -51,10 +51,12 @@ namespace ThermoContact
 
   /**
    * Solves $w=w_{free}-\chi\bar p$ with the mean pressure of the law on the
-   * way, (C6.10): for any law one solution, to rounding.
+   * way, (C6.10): for any laws one solution, to rounding.
    */
   StepContact
-  solve_step_contact(const ContactLaw &law, const StepPath &path);
+  solve_step_contact(const ContactLaw &front,
+                     const ContactLaw &rear,
+                     const StepPath   &path);
 } // namespace ThermoContact
 
 #endif

@@ -139,14 +139,37 @@ namespace ThermoContact
     ContactLawParameters  law       = default_law_parameters();
     double                gap       = 0.1; ///< $g$ if it is a number,
     std::string           gap_expression;  ///< or else in y, z, t
-    std::optional<double> rear_gap;    ///< $g_2$; none: there is no rear stop
-    std::optional<double> stiffness;   ///< N/m^m, in SI units; in compliance
+    std::optional<double> rear_gap;  ///< $g_2$; none: there is no rear stop
+
+    /** Entries of the law of the rear stop by names of the others; none: as in
+     * front. */
+    std::map<std::string, std::optional<double>> of_rear_law;
+
+    std::optional<double> stiffness; ///< N/m^m, in SI units; in compliance
     std::optional<double> restitution; ///< $e$ of rigid contacts of masses
     std::string           massless_nodes = "automatic";
+
+    /** True if there is a rear stop with an entry of its own. */
+    bool
+    has_own_rear_law() const;
+
+    /** The numbers of its law. */
+    ContactLawParameters
+    rear_law() const;
+
+    /** The laws of the stops that there are. */
+    std::vector<std::unique_ptr<const ContactLaw>>
+    make_laws() const;
 
     void
     add_parameters(ParameterHandler &prm);
   };
+
+
+
+  /** The entry of section Contact with which a rear stop has its own value. */
+  std::string
+  name_of_rear_entry(const std::string &entry);
 
 
 

@@ -118,9 +118,9 @@ namespace ThermoContact
     in_scene_variables(const Assignment  &assignment,
                        const std::string &text) const;
 
-    /** Exponent m of the contact law. */
+    /** Exponent m of the contact law that the entry at @p path is of. */
     double
-    law_exponent() const;
+    law_exponent(const std::string &path) const;
 
     /** True for the time of a term that is dropped. */
     bool

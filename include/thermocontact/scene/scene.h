@@ -244,7 +244,10 @@ namespace ThermoContact
   /** The contact end and the obstacle. */
   struct SceneContact
   {
-    std::unique_ptr<const ContactLaw> law;
+    std::unique_ptr<const ContactLaw> law; ///< in front
+
+    /** Of the obstacle behind the end, of the same kind; none: as in front. */
+    std::unique_ptr<const ContactLaw> rear_law;
 
     /**
      * $g$ of the undeformed body, at $t=0$ if the obstacle moves; NaN if it is
@@ -267,6 +270,34 @@ namespace ThermoContact
 
     /** Steps end where contact begins or ends. */
     bool locates_events;
+
+    /** The law of the obstacle in front, 1, or behind, -1. */
+    const ContactLaw &
+    law_of(const int side) const
+    {
+      return side < 0 && rear_law ? *rear_law : *law;
+    }
+
+    /** A pressure depends on the velocity. */
+    bool
+    is_damped() const
+    {
+      return law->is_damped() || law_of(-1).is_damped();
+    }
+
+    bool
+    has_dashpot() const
+    {
+      return law->dashpot() > 0. || law_of(-1).dashpot() > 0.;
+    }
+
+    /** Of the harder obstacle that has one. */
+    std::optional<double>
+    compliance() const
+    {
+      const auto front = law->compliance(), rear = law_of(-1).compliance();
+      return front && rear ? std::min(*front, *rear) : front ? front : rear;
+    }
 
     bool
     has_uniform_gap() const

@@ -125,7 +125,7 @@ namespace ThermoContact
       column("contact_dissipation",
              &R::contact_dissipation,
              [](const Scene &scene) {
-               return scene.contact.law->is_damped() ||
+               return scene.contact.is_damped() ||
                       scene.parameters.contact.restitution.has_value();
              });
       const auto has_lateral_exchange = [](const Scene &scene) {

@@ -166,7 +166,6 @@ namespace ThermoContact
     const Loads<dim>                      &loads;
     const Surroundings<dim>               &surroundings;
     const SceneContact                    &contact;
-    const ContactLaw                      &law;
     const Material                        &material;
     const SceneHeat                       &heat;
     const bool                             has_work_;

@@ -50,6 +50,7 @@ namespace ThermoContact
      * (C4.3), for $c=s=1$.
      *
      * @param forces,rate of the forces and of the positions
+     * @param laws of the nodes, for their local obstacles
      * @param closing nodes that touch their local obstacle at this instant and
      *   may have no pressure yet
      * @param y out: its rate
@@ -57,6 +58,7 @@ namespace ThermoContact
     void
     solve_rates(const Vector                    &forces,
                 const std::vector<double>       &rate,
+                const std::vector<NodeLaw>      &laws,
                 const std::vector<unsigned int> &closing,
                 Vector                          &y);
 

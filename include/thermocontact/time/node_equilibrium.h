@@ -57,12 +57,14 @@ namespace ThermoContact
      *
      * @param load its rate
      * @param rate of the positions before the change
+     * @param laws of the nodes, for their local obstacles
      * @param closing nodes that touch their local obstacle at this instant and
      *   may have no pressure yet
      */
     std::vector<double>
     solve_rates(const std::vector<double>       &load,
                 const std::vector<double>       &rate,
+                const std::vector<NodeLaw>      &laws,
                 const std::vector<unsigned int> &closing);
 
     /**
