@@ -257,16 +257,16 @@ namespace ThermoContact
   {
     Scales sizes(largest);
     sizes.add(next);
-    const ContactLaw &local_law    = law_of(next.side);
-    const double size         = next.values.time - present.time;
-    double       zero         = infinity;
-    unsigned int node         = 0;    // that changes first or is nearest to it
-    bool         ends_near    = true; // where it ends beyond a zero
-    bool         is_near_zero = false;
-    bool         all_change   = true; // at the end or before it
-    bool         starts_near  = false;
-    bool         all_start    = true;
-    const double resolution =
+    const ContactLaw &local_law = law_of(next.side);
+    const double      size      = next.values.time - present.time;
+    double            zero      = infinity;
+    unsigned int      node      = 0; // that changes first or is nearest to it
+    bool              ends_near = true; // where it ends beyond a zero
+    bool              is_near_zero = false;
+    bool              all_change   = true; // at the end or before it
+    bool              starts_near  = false;
+    bool              all_start    = true;
+    const double      resolution =
       Tolerances::rounding_of_event * present.time / size;
     const double dip =
       is_margin_pressure() ? 0. : allowed_miss(sizes.displacement);

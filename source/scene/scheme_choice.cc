@@ -408,7 +408,7 @@ namespace ThermoContact
     {
       if (written.dimension > 1 || written.mesh.degree == 1)
         return 0;
-      const ModelParameters &model = written.model;
+      const ModelParameters &model    = written.model;
       const auto             laws     = written.contact.make_laws();
       const auto             softness = [](const auto &one) {
         return one->is_linear() ? one->tangent(0.) : 0.;

@@ -202,8 +202,8 @@ namespace ThermoContact
     const auto [smallest, largest] =
       std::minmax_element(state.contact_pressure.begin(),
                           state.contact_pressure.end());
-    record.contact_force          = end.mean(state.contact_pressure);
-    const SceneContact &contact   = body.scene.contact;
+    record.contact_force        = end.mean(state.contact_pressure);
+    const SceneContact &contact = body.scene.contact;
     record.penetration =
       contact.is_damped() ?
         std::max(0., 0. - record.gap) :

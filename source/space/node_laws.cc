@@ -11,7 +11,7 @@ namespace ThermoContact
     NodeLaw      law(*contact.law);
     law.rear_law = contact.rear_law.get();
     law.play     = gap + contact.rear_gap;
-    position = u - gap;
+    position     = u - gap;
     if (law.penetration_slope(position) < 0)
       {
         law.side = -1;

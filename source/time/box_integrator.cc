@@ -430,7 +430,7 @@ namespace ThermoContact
     const int         side = contact.end_pressure < 0. ? -1 : 1;
     const ContactLaw &law  = body.scene.contact.law_of(side);
     const double      rate = side > 0 ? obstacle.gap_rate[c] : 0.;
-    end.end_pressure  = contact.end_pressure;
+    end.end_pressure       = contact.end_pressure;
     if (const auto &now = end.releases.now; law.is_rigid() && now)
       {
         end.end_pressure = 0.;
@@ -988,9 +988,9 @@ namespace ThermoContact
                                 const EndContact  &end,
                                 const State       &new_state) const
   {
-    const Contact    &contact   = contacts[c];
-    const bool        has_waves = contact.has_waves();
-    const auto        law_of    = [&](const double pressure) -> const auto &
+    const Contact &contact   = contacts[c];
+    const bool     has_waves = contact.has_waves();
+    const auto     law_of    = [&](const double pressure) -> const auto &
     {
       return body.scene.contact.law_of(pressure < 0. ? -1 : 1);
     };
@@ -1006,10 +1006,10 @@ namespace ThermoContact
       return std::nullopt;
 
     const ContactLaw &law   = law_of(before != 0. ? before : after);
-    const int    side  = (before != 0. ? before : after) < 0. ? -1 : 1;
-    const double rate  = side > 0 ? path.front_rate : 0.;
-    const double start = side > 0 ? path.front : path.rear;
-    const auto   at    = [&](const double part, const double velocity) {
+    const int         side  = (before != 0. ? before : after) < 0. ? -1 : 1;
+    const double      rate  = side > 0 ? path.front_rate : 0.;
+    const double      start = side > 0 ? path.front : path.rear;
+    const auto        at    = [&](const double part, const double velocity) {
       return ContactChange{state.time +
                              path.size * std::min(std::max(part, 0.), 1.),
                            velocity};

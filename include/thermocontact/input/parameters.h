@@ -139,13 +139,13 @@ namespace ThermoContact
     ContactLawParameters  law       = default_law_parameters();
     double                gap       = 0.1; ///< $g$ if it is a number,
     std::string           gap_expression;  ///< or else in y, z, t
-    std::optional<double> rear_gap;  ///< $g_2$; none: there is no rear stop
+    std::optional<double> rear_gap; ///< $g_2$; none: there is no rear stop
 
     /** Entries of the law of the rear stop by names of the others; none: as in
      * front. */
     std::map<std::string, std::optional<double>> of_rear_law;
 
-    std::optional<double> stiffness; ///< N/m^m, in SI units; in compliance
+    std::optional<double> stiffness;   ///< N/m^m, in SI units; in compliance
     std::optional<double> restitution; ///< $e$ of rigid contacts of masses
     std::string           massless_nodes = "automatic";
 
