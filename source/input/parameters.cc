@@ -235,10 +235,19 @@ namespace ThermoContact
             Double(one.smallest, one.largest),
             [this, name = one.name](const double value) { law[name] = value; })
         .means(one.text, one.kind);
+    // by name, since copies of a map have nodes of their own
+    const std::string as_in_front = "as in front";
     for (const ContactLawEntry &one : contact_law_entries())
-      entry(name_of_rear_entry(one.name),
-            of_rear_law[one.name],
-            NumberOrText::word("as in front"))
+      entry
+        .unbound(name_of_rear_entry(one.name),
+                 as_in_front,
+                 NumberOrText::word(as_in_front),
+                 [this, name = one.name, as_in_front](const auto &given) {
+                   of_rear_law[name].reset();
+                   if (given != as_in_front)
+                     of_rear_law[name] =
+                       dealii::Utilities::string_to_double(given);
+                 })
         .means(one.name + " of the obstacle behind the end.", one.kind);
     entry("Stiffness", stiffness, NumberOrText::word("none"))
       .means("In place of Compliance in a file with section Rod: force over "

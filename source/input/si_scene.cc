@@ -506,8 +506,9 @@ namespace ThermoContact
                   });
     return !has_moving_body && is_zero("Initial values/Velocity") &&
            is_zero("Boundary/left/Displacement") &&
-           is_zero("Contact/Rear gap") && is_zero("Boundary/left/Mass") &&
-           is_zero("Boundary/right/Mass") && is_zero("Boundary/left/Dashpot") &&
+           is_zero("Contact/Rear gap") && is_zero("Contact/Dashpot") &&
+           is_zero("Boundary/left/Mass") && is_zero("Boundary/right/Mass") &&
+           is_zero("Boundary/left/Dashpot") &&
            is_zero("Boundary/right/Dashpot") &&
            given("Boundary/left/Support") != "free" &&
            *scales.time * number("Time/End time") > often * seconds;

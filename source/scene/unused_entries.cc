@@ -157,12 +157,17 @@ namespace ThermoContact
           add(!scene.fields.has_temperature,
               {"Coupling", "Conductivity", "Heat capacity", "Temperature"},
               fields);
-          add(!material.has_viscosity(), {"Viscosity"}, "Model/Viscosity = 0");
+          // in SI the program leaves small terms out
+          const bool is_in_si = parameters.rod.length > 0.;
+          add(!material.has_viscosity() && !is_in_si,
+              {"Viscosity"},
+              "Model/Viscosity = 0");
           add(parameters.model.coupling == 0.,
               {"Coupling"},
               "Model/Coupling = 0");
           add(!material.has_inertia(), {"Velocity"}, "Model/Inertia = 0");
-          add(!material.has_inertia() && !scene.sources.has_body_force,
+          add(!material.has_inertia() && !scene.sources.has_body_force &&
+                !is_in_si,
               {"Density"},
               "Model/Inertia = 0");
           add(material.is_static(),
