@@ -248,7 +248,11 @@ namespace ThermoContact
                      of_rear_law[name] =
                        dealii::Utilities::string_to_double(given);
                  })
-        .means(one.name + " of the obstacle behind the end.", one.kind);
+        .means(
+          one.name +
+            " of the obstacle behind the end, which has a Rear gap; as in front: " +
+            one.name + ", the same number.",
+          one.kind);
     entry("Stiffness", stiffness, NumberOrText::word("none"))
       .means("In place of Compliance in a file with section Rod: force over "
              "penetration, N/m, or over its power Exponent, N/m^m.",
