@@ -99,18 +99,20 @@ namespace ThermoContact
       }
     if (fields.has_displacement)
       {
+        const BodyRow &row = body.scene.row;
         get_contact_values(body, state, row_values);
         for (unsigned int i = 0; i < n; ++i)
           {
-            record.contacts[i].gap      = 0. - row_values.front.penetration[i];
+            record.contacts[i].gap      = row.n_contacts() == 0 ?
+                                            nan : // an end that meets nothing
+                                       0. - row_values.front.penetration[i];
             record.contacts[i].velocity = row_values.front.velocity[i];
           }
         const unsigned int last =
           body.discretization.entry_of_right_end(Field::displacement);
         record.displacement_end = state.displacement.begin()[last];
         record.velocity_end     = state.velocity.begin()[last];
-        const BodyRow &row      = body.scene.row;
-        const auto    &right    = body.scene.parameters.boundary.right;
+        const auto &right       = body.scene.parameters.boundary.right;
         if (right.is_clamped())
           record.velocity_end = 0.;
         // where nothing presses on a rod its nodes may alternate, (C6.13)
