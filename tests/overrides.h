@@ -40,6 +40,18 @@ namespace ThermoContact
   {
     return path + '=' + number(value);
   }
+
+
+
+  /** Overrides of a body of a row, of 'Entry=value' each. */
+  inline Overrides
+  body(const std::string &name, const Overrides &entries)
+  {
+    Overrides result;
+    for (const std::string &one : entries)
+      result.push_back("Bodies/" + name + "/" + one);
+    return result;
+  }
 } // namespace ThermoContact
 
 #endif

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -366,8 +367,9 @@ namespace ThermoContact
                                        });
     const double from = next == all.begin() ? begin : (next - 1)->end,
                  rest = time - (next == all.begin() ? 0. : (next - 1)->time);
-    double low = from, high = next->end, x = high;
-    for (unsigned int i = 0; i < 60 && high - low > 1e-15 * length; ++i)
+    constexpr unsigned int n_iterations = 60; // bisection alone needs no more
+    double                 low = from, high = next->end, x = high;
+    for (unsigned int i = 0; i < n_iterations; ++i)
       {
         const double late = gauss<1>(from,
                                      x,
@@ -379,7 +381,8 @@ namespace ThermoContact
         (late > 0. ? high : low) = x;
         // Newton's method within its bracket
         const double newton = x - late / slowness(x);
-        if (newton == x)
+        if (std::abs(newton - x) <=
+            std::numeric_limits<double>::epsilon() * length)
           break;
         x = newton > low && newton < high ? newton : 0.5 * (low + high);
       }

@@ -353,14 +353,15 @@ namespace ThermoContact
                                const unsigned int    number) {
       const unsigned int n_parts = profile.n_parts();
       if (rod.cells < n_parts)
-        throw InputError(text("Bodies/",
-                              rod.name,
-                              "/Cells = ",
-                              rod.cells,
-                              "\n  allowed: automatic, or from ",
-                              n_parts,
-                              " on, a cell for each part between jumps of "
-                              "its coefficients\n  remedy:  automatic"));
+        throw InputError(
+          text("Bodies/",
+               rod.name,
+               "/Cells = ",
+               rod.cells,
+               "\n  allowed: automatic, or from ",
+               n_parts,
+               " on, a cell for each part between jumps "
+               "and kinks of its coefficients\n  remedy:  automatic"));
       // a linear cell has means, others follow the coefficients
       const bool varies = profile.varies() && parameters.mesh.degree > 1;
       double     begin  = 0.;
@@ -371,7 +372,7 @@ namespace ThermoContact
                                number,
                                begin,
                                varies,
-                               varies ? profile.at(begin) :
+                               varies ? RodCoefficients() :
                                         profile.of_cell(begin, begin + size)});
           begin += size;
         }

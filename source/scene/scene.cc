@@ -321,11 +321,17 @@ namespace ThermoContact
                                                           contact,
                                                           scheme,
                                                           has_prescribed_start);
-      contact.nodes_oscillate =
-        material.has_inertia() && !contact.has_massless_nodes &&
-        contact.compliance() && !row.is_given() && !contact.is_damped() &&
-        (contact_nodes_oscillate(parameters, *contact.law) ||
-         contact_nodes_oscillate(parameters, contact.law_of(-1)));
+      for (const int side : {1, -1})
+        {
+          const ContactLaw &law        = contact.law_of(side);
+          const auto        compliance = law.compliance();
+          if (material.has_inertia() && !contact.has_massless_nodes &&
+              !row.is_given() && compliance && !law.is_damped() &&
+              contact_nodes_oscillate(parameters, law))
+            contact.bouncing_compliance =
+              std::min(contact.bouncing_compliance.value_or(infinity),
+                       *compliance);
+        }
       contact.order = material.has_inertia() && !contact.has_massless_nodes ?
                         NodeOrder::inertial :
                       material.has_viscosity() && scheme.has_viscous_contact ?

@@ -1073,12 +1073,12 @@ namespace ThermoContact
   std::string
   oscillation_warning(const Scene &scene)
   {
-    if (!scene.contact.nodes_oscillate ||
+    if (!scene.contact.bouncing_compliance ||
         !scene.parameters.time.has_error_control())
       return "";
     const double mass =
       scene.material.inertia * scene.parameters.mesh.contact_node_length();
-    const double compliance = *scene.contact.compliance();
+    const double compliance = *scene.contact.bouncing_compliance;
     return text(
       "Contact/Massless nodes = ",
       scene.parameters.contact.massless_nodes,
@@ -1086,8 +1086,10 @@ namespace ThermoContact
       "a period of about ",
       QuantityUnits(scene.parameters)
         .text("time", 2. * dealii::numbers::PI * std::sqrt(mass * compliance)),
-      ": steps follow them, and can be many more than the forecast; "
-      "remedy: Contact/Massless nodes = automatic");
+      ": steps follow them, and can be many more than the forecast; remedy: ",
+      scene.contact.is_damped() ?
+        "damping of this obstacle, too, as the other one has it" :
+        "Contact/Massless nodes = automatic");
   }
 
 

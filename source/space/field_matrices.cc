@@ -547,27 +547,21 @@ namespace ThermoContact
           const auto rod_at = [&](const Point<dim> &place) {
             return scene.row.of_rod(number, place[0]);
           };
-          fe_values.reinit(cell);
+          WeightsAt<dim> weights; // 1, with factors of the cell
           if (varies)
-            integrate_products<dim>(
-              scene.material,
-              discretization,
-              fe_values,
-              [&rod_at](const Point<dim> &place) -> ProductWeights {
-                const RodCoefficients at = rod_at(place);
-                return {at.conduction, at.stiffness, at.coupling};
-              },
-              basis,
-              cell_stiffness,
-              cell_coupling);
-          else if (!has_last_integrals(discretization, fe_values))
-            integrate_products<dim>(scene.material,
-                                    discretization,
-                                    fe_values,
-                                    {},
-                                    basis,
-                                    cell_stiffness,
-                                    cell_coupling);
+            weights = [&rod_at](const Point<dim> &place) -> ProductWeights {
+              const RodCoefficients at = rod_at(place);
+              return {at.conduction, at.stiffness, at.coupling};
+            };
+          fe_values.reinit(cell);
+          if (varies || !has_last_integrals(discretization, fe_values))
+            integrate_products(scene.material,
+                               discretization,
+                               fe_values,
+                               weights,
+                               basis,
+                               cell_stiffness,
+                               cell_coupling);
           for (const Kind kind : {conduction, stiffness})
             add(kind, cell, cell_stiffness, factor(kind, number));
           if (scene.material.has_thermal_stress())
@@ -577,16 +571,16 @@ namespace ThermoContact
             continue; // they are all that resists velocities
           if (varies)
             {
-              integrate_products<dim>(
-                scene.material,
-                discretization,
-                fe_values,
-                [&rod_at](const Point<dim> &place) -> ProductWeights {
-                  return {0., rod_at(place).viscosity, 0.};
-                },
-                basis,
-                cell_viscous,
-                unused);
+              weights = [&rod_at](const Point<dim> &place) -> ProductWeights {
+                return {0., rod_at(place).viscosity, 0.};
+              };
+              integrate_products(scene.material,
+                                 discretization,
+                                 fe_values,
+                                 weights,
+                                 basis,
+                                 cell_viscous,
+                                 unused);
               add(viscous_stiffness, cell, cell_viscous);
             }
           else if (scene.has_elastic_contact_nodes &&

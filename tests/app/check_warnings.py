@@ -122,6 +122,17 @@ START = [
       "hard, with a period of about 4.96729e-05: steps follow them, and can be many more "
       "than the forecast; remedy: Contact/Massless nodes = automatic"]),
     (SOFT + OSCILLATING + ("Contact/Compliance=1e-8", "Contact/Massless nodes=automatic"), []),
+    # nodes keep their mass for a damped stop, and bounce on the other one, in front or behind
+    *[(SOFT + OSCILLATING + ("Contact/Massless nodes=automatic", "Contact/Rear gap=1", *stops),
+       ["Contact/Massless nodes = automatic: contact nodes with mass bounce on an obstacle so "
+        "hard, with a period of about 4.96729e-05: steps follow them, and can be many more "
+        "than the forecast; remedy: damping of this obstacle, too, as the other one has it"])
+      for stops in (
+          ("Contact/Compliance=1e-8", "Contact/Rear compliance=1", "Contact/Rear damping=0.5"),
+          ("Contact/Compliance=1", "Contact/Damping=0.5", "Contact/Rear compliance=1e-8",
+           "Contact/Rear damping=0"))],
+    (SOFT + OSCILLATING + ("Contact/Massless nodes=automatic", "Contact/Rear gap=1", "Contact/Compliance=1e-8",
+                           "Contact/Damping=0.5"), []),
     (SOFT + OSCILLATING + ("Contact/Compliance=1e-2", "Contact/Massless nodes=off"), []),
     (BOX + ("Mesh/Cells=50", "Time/Step size=0.02"), []),
     (RIGID + ("Boundary/right/Mass=0.5",),

@@ -38,18 +38,6 @@ using namespace ThermoContact;
 
 namespace
 {
-  /** Lines of a body: its name and 'Entry=value' each. */
-  Overrides
-  body(const std::string &name, const Overrides &entries)
-  {
-    Overrides result;
-    for (const std::string &entry : entries)
-      result.push_back("Bodies/" + name + "/" + entry);
-    return result;
-  }
-
-
-
   const Overrides elastic = {"Model/Fields=displacement", "Model/Viscosity=0"};
 
   const Overrides free_right = {"Boundary/right/Support=free"};

@@ -27,9 +27,10 @@ namespace ThermoContact
 
   /**
    * The coefficients of a rod of a row along its length, (M10.1): numbers, or
-   * expressions of $x$, which begins at the left end of the rod. Where they
-   * jump the mesh has nodes, and where they have kinks if its cells are not
-   * linear: the rod has parts in which they are smooth.
+   * expressions of $x$, which is 0 at the left end of the rod and its length at
+   * the right one, nondimensional. Where they jump the mesh has nodes, and where
+   * they have kinks if its cells are not linear: the rod has parts in which they
+   * are smooth.
    */
   class RodProfile
   {
@@ -53,6 +54,7 @@ namespace ThermoContact
     RodCoefficients
     at_end(const bool is_left) const;
 
+    /** Parts between jumps and kinks, at least one. */
     unsigned int
     n_parts() const
     {

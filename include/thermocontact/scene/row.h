@@ -24,7 +24,7 @@ namespace ThermoContact
     unsigned int    body   = 0;     ///< of a rod
     double          begin  = 0.;    ///< in the rod
     bool            varies = false; ///< the coefficients do within the cell
-    RodCoefficients whole;          ///< of the cell; at its begin if it varies
+    RodCoefficients whole;          ///< of the cell; none if it varies
   };
 
 

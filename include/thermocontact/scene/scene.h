@@ -265,8 +265,9 @@ namespace ThermoContact
     /** The mass of the contact nodes is moved to others, (C1.1). */
     bool has_massless_nodes;
 
-    /** They have it, and nothing damps them on an obstacle that gives way. */
-    bool nodes_oscillate;
+    /** They have it, and nothing damps them on an obstacle that gives way:
+     * $\varepsilon$ of the hardest such one; none: they do not bounce. */
+    std::optional<double> bouncing_compliance;
 
     /** Steps end where contact begins or ends. */
     bool locates_events;
@@ -285,6 +286,7 @@ namespace ThermoContact
       return law->is_damped() || law_of(-1).is_damped();
     }
 
+    /** One of the obstacles has $d>0$, (M4.2). */
     bool
     has_dashpot() const
     {
