@@ -623,7 +623,7 @@ namespace ThermoContact
       SchemeChoice      choice{written,
                           {},
                           !is_automatic ? "" :
-                               is_box ? "contact in rows of bodies with inertia" :
+                               is_box ? "bodies of a row have waves or impacts" :
                                !has_waves ? "without inertia there are no waves" :
                                             "box cannot have " + against,
                           false};

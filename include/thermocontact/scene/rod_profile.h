@@ -28,9 +28,9 @@ namespace ThermoContact
   /**
    * The coefficients of a rod of a row along its length, (M10.1): numbers, or
    * expressions of $x$, which is 0 at the left end of the rod and its length at
-   * the right one, nondimensional. Where they jump the mesh has nodes, and where
-   * they have kinks if its cells are not linear: the rod has parts in which they
-   * are smooth.
+   * the right one, nondimensional. Where they jump the mesh has nodes, and
+   * where they have kinks if its cells are not linear: the rod has parts in
+   * which they are smooth.
    */
   class RodProfile
   {
