@@ -52,14 +52,12 @@ namespace ThermoContact
   void
   BodyParameters::add_parameters(ParameterHandler &prm)
   {
-    const NumberOrText field = NumberOrText::expression("x"),
-                       coefficient =
-                         NumberOrText::number_or_expression("x", positive),
-                       zero_too =
-                         NumberOrText::number_or_expression("x", not_negative),
-                       any = NumberOrText::number_or_expression("x",
-                                                                Double(-1e15,
-                                                                       1e15));
+    const NumberOrText
+      field       = NumberOrText::expression("x"),
+      along_x     = NumberOrText::number_or_expression("x", positive),
+      coefficient = NumberOrText::number_or_expression("x, theta", positive),
+      zero_too = NumberOrText::number_or_expression("x, theta", not_negative),
+      any = NumberOrText::number_or_expression("x, theta", Double(-1e15, 1e15));
     SectionOfEntries entry(prm,
                            bodies_section + "/" +
                              (name.empty() ? any_body : name));
@@ -71,12 +69,12 @@ namespace ThermoContact
       .means("Number of its cells; automatic: of all rods together as many as "
              "Mesh/Cells would be, with Time/Scheme = box such that a wave "
              "passes each of them in the same time.");
-    entry("Section", section.value, section.expression, coefficient)
+    entry("Section", section.value, section.expression, along_x)
       .means("Cross-section of a rod over that of section Model or Rod; x of "
              "these coefficients begins at the left end of the rod.");
     entry("Stiffness", stiffness.value, stiffness.expression, coefficient)
       .means("Young's modulus over that one.");
-    entry("Density", density.value, density.expression, coefficient)
+    entry("Density", density.value, density.expression, along_x)
       .means("Density over that one.");
     entry("Viscosity", viscosity.value, viscosity.expression, zero_too)
       .means("Viscosity zeta over that one: stress is E (u_x + zeta u_xt).");

@@ -80,16 +80,25 @@ namespace ThermoContact
 
 
 
-    /** Two bodies of a row, or the right end and the obstacle. */
+    /** A row has two bodies at least. */
     bool
-    can_have_contact(const std::vector<Assignment> &assignments)
+    has_neighbours(const std::vector<Assignment> &assignments)
     {
       std::set<std::string> bodies;
       for (const Assignment &assignment : assignments)
         if (begins_with(assignment.path, "Bodies/") && !assignment.is_section())
           bodies.insert(assignment.path.substr(
             0, assignment.path.find('/', std::string("Bodies/").size())));
-      return bodies.size() > 1 || meets_obstacle(assignments);
+      return bodies.size() > 1;
+    }
+
+
+
+    /** Two bodies of a row, or the right end and the obstacle. */
+    bool
+    can_have_contact(const std::vector<Assignment> &assignments)
+    {
+      return has_neighbours(assignments) || meets_obstacle(assignments);
     }
 
 
@@ -263,7 +272,10 @@ namespace ThermoContact
       need(has_temperature, "Rod/" + entry, true);
     need(has_temperature && has_displacement, "Rod/Linear expansion");
     need(has_temperature, "Boundary/left/Temperature");
-    need(has_temperature, "Boundary/right/Heat exchange");
+    need(has_temperature &&
+           (has_neighbours(assignments) ||
+            given("Boundary/right/Temperature").value_or("none") == "none"),
+         "Boundary/right/Heat exchange");
     need(has_displacement && law.name != no_obstacle().name &&
            can_have_contact(assignments),
          "Contact/Gap");

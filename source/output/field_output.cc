@@ -158,8 +158,11 @@ namespace ThermoContact
                       {
                         const double       x = values.quadrature_point(q)[0];
                         const unsigned int number = cell->active_cell_index();
-                        equations[q] = space.row().in_equations(number, x);
-                        of_rod[q]    = space.row().of_rod(number, x);
+                        const double       theta =
+                          fields.has_temperature ? temperature[q] : 0.;
+                        equations[q] =
+                          space.row().in_equations(number, x, theta);
+                        of_rod[q] = space.row().of_rod(number, x);
                       }
                     of_fields.get_function_gradients(present, elastic);
                     of_fields.get_function_gradients(moving, rate);

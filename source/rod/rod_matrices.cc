@@ -34,27 +34,32 @@ namespace ThermoContact
 
 
     /**
-     * Whether the entries without the others add up to what rounding leaves of
-     * zero. Others that are larger than what remains are not: a rod whose end
-     * has the temperature of the obstacle would exchange the rounding of that
-     * of the vertex behind it.
+     * Whether each row of the entries without the others adds up to what
+     * rounding leaves of zero. Others that are larger than what remains do not:
+     * a rod whose end has the temperature of the obstacle would exchange the
+     * rounding of that of the vertex behind it.
      */
     bool
-    add_up_to_zero(const double      *entries,
-                   const double      *others,
-                   const unsigned int n_entries)
+    rows_add_up_to_zero(const double      *entries,
+                        const double      *others,
+                        const unsigned int n)
     {
-      double sum = 0., largest = 0., largest_other = 0.;
-      for (unsigned int i = 0; i < n_entries; ++i)
+      double largest_sum = 0., largest = 0., largest_other = 0.;
+      for (unsigned int i = 0; i < n; ++i)
         {
-          sum += entries[i] - others[i];
-          largest       = std::max(largest, std::abs(entries[i] - others[i]));
-          largest_other = std::max(largest_other, std::abs(others[i]));
+          double sum = 0.;
+          for (unsigned int entry = i; entry < n * n; entry += n)
+            {
+              const double rest = entries[entry] - others[entry];
+              sum += rest;
+              largest       = std::max(largest, std::abs(rest));
+              largest_other = std::max(largest_other, std::abs(others[entry]));
+            }
+          largest_sum = std::max(largest_sum, std::abs(sum));
         }
       return largest_other <= largest &&
-             std::abs(sum) <= n_entries *
-                                std::numeric_limits<double>::epsilon() *
-                                (largest + largest_other);
+             largest_sum <= n * n * std::numeric_limits<double>::epsilon() *
+                              (largest + largest_other);
     }
   } // namespace
 
@@ -105,7 +110,7 @@ namespace ThermoContact
     run.loses_heat = std::any_of(lost, lost + n * n, [](const double entry) {
       return entry != 0.;
     });
-    run.conducts_differences = add_up_to_zero(all, lost, n * n);
+    run.conducts_differences = rows_add_up_to_zero(all, lost, n);
     for (unsigned int i = 0; i < n; ++i)
       {
         double sum = 0.;

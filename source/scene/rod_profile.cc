@@ -104,13 +104,32 @@ namespace ThermoContact
 
 
 
-  double
-  RodProfile::Coefficient::at(const double x) const
+  namespace
+  {
+    double
+    plain_value(const double number)
+    {
+      return number;
+    }
+
+    double
+    plain_value(const NumberJet &jet)
+    {
+      return jet.value;
+    }
+  } // namespace
+
+
+
+  template <typename Number>
+  Number
+  RodProfile::Coefficient::at(const double x, const Number &theta) const
   {
     if (!expression)
-      return number;
-    const double variables[4] = {0., 0., 0., x};
-    const double value        = expression->evaluate(variables);
+      return Number(number);
+    const Number variables[4] = {theta, Number(0.), Number(0.), Number(x)};
+    const Number result       = expression->evaluate(variables);
+    const double value        = plain_value(result);
     if (!std::isfinite(value) || (!may_be_negative && value < 0.) ||
         (!may_be_zero && value == 0.))
       throw InputError(text(expression->path(),
@@ -120,13 +139,19 @@ namespace ThermoContact
                             significant(value, 6),
                             " at ",
                             significant(100. * x / length, 6),
-                            " % of the rod\n  allowed: ",
+                            " % of the rod",
+                            expression->depends_on("theta") ?
+                              text(" where theta is ",
+                                   significant(plain_value(theta), 6),
+                                   " (nondimensional)") :
+                              "",
+                            "\n  allowed: ",
                             may_be_negative ? "finite numbers" :
                             may_be_zero     ? "numbers from 0 on" :
                                               "positive numbers",
                             "\n  remedy:  an expression that has them in the "
                             "whole rod"));
-    return value;
+    return result;
   }
 
 
@@ -146,9 +171,9 @@ namespace ThermoContact
           return;
         const std::string path  = "Bodies/" + rod.name + "/" + entry;
         ExpressionNames   names = parameters.names(path);
-        std::rotate(names.variables.begin(),
-                    names.variables.begin() + 1,
-                    names.variables.end());
+        const bool        has_theta =
+          entry_of_program(path).variables(1).back() == "theta";
+        names.variables     = {has_theta ? "theta" : "", "", "", "x"};
         names.checks_values = false; // on [0, 1], whatever the length
         all[name].expression.emplace(path, given.expression, names);
       };
@@ -212,6 +237,18 @@ namespace ThermoContact
 
 
 
+  std::vector<const Expression *>
+  RodProfile::of_temperature() const
+  {
+    std::vector<const Expression *> expressions;
+    for (const Coefficient &one : all)
+      if (one.expression && one.expression->depends_on("theta"))
+        expressions.push_back(&*one.expression);
+    return expressions;
+  }
+
+
+
   bool
   RodProfile::has_one_speed() const
   {
@@ -220,17 +257,56 @@ namespace ThermoContact
 
 
 
-  RodCoefficients
-  RodProfile::at(const double x) const
+  template <typename Number>
+  std::array<Number, 7>
+  RodProfile::terms(const double x, const Number &theta) const
   {
-    const double A = all[section].at(x), E = all[stiffness].at(x);
-    return {A,
-            A * all[heat_capacity].at(x),
-            A * all[conductivity].at(x),
-            A * all[coupling].at(x),
-            A * all[density].at(x),
-            A * E,
-            A * E * all[viscosity].at(x)};
+    const auto   of = [&](const Name name) { return all[name].at(x, theta); };
+    const Number A = of(section), E = of(stiffness);
+    return {{A,
+             A * of(heat_capacity),
+             A * of(conductivity),
+             A * of(coupling),
+             A * of(density),
+             A * E,
+             A * E * of(viscosity)}};
+  }
+
+
+
+  namespace
+  {
+    template <typename Number, typename Part>
+    RodCoefficients
+    coefficients(const std::array<Number, 7> &terms, const Part &part)
+    {
+      return {part(terms[0]),
+              part(terms[1]),
+              part(terms[2]),
+              part(terms[3]),
+              part(terms[4]),
+              part(terms[5]),
+              part(terms[6])};
+    }
+  } // namespace
+
+
+
+  RodCoefficients
+  RodProfile::at(const double x, const double theta) const
+  {
+    return coefficients(terms(x, theta),
+                        [](const double term) { return term; });
+  }
+
+
+
+  RodTangents
+  RodProfile::tangents(const double x, const double theta) const
+  {
+    const auto jets = terms(x, NumberJet(theta, 1., 0.));
+    return {coefficients(jets, [](const NumberJet &jet) { return jet.value; }),
+            coefficients(jets, [](const NumberJet &jet) { return jet.first; })};
   }
 
 

@@ -40,7 +40,9 @@ namespace ThermoContact
 
 
   RodCoefficients
-  BodyRow::of_rod(const unsigned int number, const double x) const
+  BodyRow::of_rod(const unsigned int number,
+                  const double       x,
+                  const double       theta) const
   {
     const RowCell &cell = cells[number];
     const RowBody &body = bodies[cell.body];
@@ -50,15 +52,28 @@ namespace ThermoContact
     const double inside = Tolerances::rounding_of_data * cell.size;
     return body.profile->at(std::clamp(x - body.begin,
                                        cell.begin + inside,
-                                       cell.begin + cell.size - inside));
+                                       cell.begin + cell.size - inside),
+                            theta);
   }
 
 
 
   RodCoefficients
-  BodyRow::in_equations(const unsigned int number, const double x) const
+  BodyRow::in_equations(const unsigned int number,
+                        const double       x,
+                        const double       theta) const
   {
-    return cells[number].varies ? of_rod(number, x) : cells[number].whole;
+    if (cells[number].varies || theta == 0.)
+      return cells[number].varies ? of_rod(number, x, theta) :
+                                    cells[number].whole;
+    RodCoefficients       result = cells[number].whole;
+    const RodCoefficients now    = of_rod(number, x, theta),
+                          zero   = of_rod(number, x);
+    // what the stress is made of
+    result.coupling += now.coupling - zero.coupling;
+    result.stiffness += now.stiffness - zero.stiffness;
+    result.viscosity += now.viscosity - zero.viscosity;
+    return result;
   }
 
 
@@ -68,6 +83,16 @@ namespace ThermoContact
   {
     return std::any_of(bodies.begin(), bodies.end(), [](const RowBody &body) {
       return body.profile.has_value();
+    });
+  }
+
+
+
+  bool
+  BodyRow::depends_on_temperature() const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [](const RowBody &body) {
+      return body.profile && !body.profile->of_temperature().empty();
     });
   }
 

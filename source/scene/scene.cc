@@ -203,6 +203,7 @@ namespace ThermoContact
                     const SceneFields      &fields,
                     const SceneHeat        &heat,
                     const Expression *const gap,
+                    const BodyRow          &row,
                     const bool              has_motion,
                     const bool              has_obstacle)
     {
@@ -226,7 +227,8 @@ namespace ThermoContact
           (heat.obstacle_drive || heat.exchange->dependence().on_time),
         fields.has_temperature && heat.fixed_end_drive != nullptr,
         has_motion,
-        has_obstacle && gap != nullptr && gap->depends_on("t")};
+        has_obstacle && gap != nullptr && gap->depends_on("t"),
+        row.depends_on_temperature()};
     }
 
 
@@ -433,6 +435,7 @@ namespace ThermoContact
         fields,
         heat,
         gap_expression.get(),
+        row,
         fixed_end_motion != nullptr,
         resolve_law(parameters, fields, row, parameters.contact.law)
           ->is_active()))
@@ -443,7 +446,8 @@ namespace ThermoContact
                                  heat,
                                  scheme,
                                  fixed_end_motion != nullptr ||
-                                   sources.has_moving_obstacle))
+                                   sources.has_moving_obstacle ||
+                                   sources.has_laws))
     , contact(resolve_contact(parameters,
                               gap_expression.get(),
                               fields,
@@ -539,6 +543,7 @@ namespace ThermoContact
            "varying temperature of the fixed end");
     add_if(scene.sources.has_moving_end, "moving fixed end");
     add_if(scene.sources.has_moving_obstacle, "moving obstacle");
+    add_if(scene.sources.has_laws, "coefficients of the temperature");
     return terms;
   }
 } // namespace ThermoContact

@@ -714,6 +714,29 @@ namespace ThermoContact
 
 
 
+    /** Coefficients of the temperature, (M10.8), act in the stages alone. */
+    void
+    check_coefficients_of_temperature(const Scene &scene)
+    {
+      for (const RowBody &body : scene.row.bodies)
+        if (body.profile)
+          for (const Expression *one : body.profile->of_temperature())
+            {
+              const Refusal expression{one->path(),
+                                       one->text(),
+                                       "a number or an expression in x"};
+              expression.since(!scene.fields.has_temperature,
+                               "Model/Fields = " +
+                                 scene.parameters.model.fields,
+                               "Model/Fields = temperature and displacement");
+              expression.since(scene.scheme.has_no_dispersion,
+                               name_of_scheme(scene),
+                               "Time/Scheme = automatic");
+            }
+    }
+
+
+
     /** Entries that a row of bodies cannot have, (M10.1). */
     void
     check_row(const Scene &scene)
@@ -867,6 +890,7 @@ namespace ThermoContact
                  "one of them: a number for each contact, or the expression "
                  "for all");
       check_hold_of_row(scene);
+      check_coefficients_of_temperature(scene);
       for (const auto &position : parameters.probe_positions())
         {
           const double             x = position[0];

@@ -267,6 +267,11 @@ namespace ThermoContact
       };
       if (parameters.dimension > 1)
         return as_text("Dimension", parameters.dimension);
+      for (const BodyParameters &body : parameters.row.bodies)
+        if (!body.is_mass())
+          for (const Expression *one :
+               RodProfile(parameters, body).of_temperature())
+            return one->path() + ", which depends on theta";
       if (mesh.degree > 1)
         return as_text("Mesh/Degree", mesh.degree);
       if (mesh.grading != 1.)

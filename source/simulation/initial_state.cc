@@ -84,15 +84,18 @@ namespace ThermoContact
       if (!body.scene.fields.has_temperature || !starts_with_layer(body, state))
         return;
       const QuantityUnits units(body.scene.parameters);
-      warnings.push_back(
-        text(body.scene.row.is_given() ? "Bodies: the initial temperature" :
-                                         "Initial values/Temperature",
-             " differs by ",
-             units.text("temperature difference",
-                        mismatch_of_fixed_end(body, state)),
-             " from theta_A = ",
-             units.text("temperature", body.scene.heat.fixed_end_temperature),
-             " at the fixed end: a corner layer starts there"));
+      warnings.push_back(text(
+        body.scene.row.is_given() ? "Bodies: the initial temperature" :
+                                    "Initial values/Temperature",
+        " differs by ",
+        units.text("temperature difference",
+                   mismatch_of_fixed_end(body, state)),
+        body.scene.heat.right_temperature ?
+          " from the temperature of an end that is held" :
+          " from theta_A = " +
+            units.text("temperature", body.scene.heat.fixed_end_temperature) +
+            " at the fixed end",
+        ": a corner layer starts there"));
     }
 
 

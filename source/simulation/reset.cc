@@ -178,6 +178,17 @@ namespace ThermoContact
     Vector forces(momentum_load);
     body.equations.momentum_residual(
       state, velocity, nullptr, momentum_load, forces);
+    if (body.nonlinear)
+      {
+        Vector unused = body.discretization.make_vector(Field::temperature);
+        const Vector none;
+        body.nonlinear->subtract({state.temperature,
+                                  none,
+                                  state.displacement,
+                                  velocity != nullptr ? *velocity : none},
+                                 unused,
+                                 forces);
+      }
     body.equations.zero_constrained(Field::displacement, forces);
     return forces;
   }
@@ -221,10 +232,10 @@ namespace ThermoContact
                                            State                   &state,
                                            const bool               touches)
   {
-    const double viscosity = body.scene.material.viscosity;
-    const double factor    = (viscosity + 1.) / viscosity;
-    Vector       load      = momentum_load(state.load_time);
-    body.driven_end.subtract_viscous_stress(state.load_time, load);
+    const double factor = stiffness->velocity_factor();
+    Vector       load   = momentum_load(state.load_time);
+    Vector       of_end = body.discretization.make_vector(Field::displacement);
+    body.driven_end.set_velocity(state.load_time, of_end);
 
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
@@ -258,7 +269,11 @@ namespace ThermoContact
     position.clear();
     for (const NodeLaw &law : laws)
       position.push_back(0. - law.local_rate());
-    const Vector r = forces(state, load);
+    const Vector r =
+      forces(state,
+             load,
+             body.scene.sources.has_moving_end ? &of_end : nullptr);
+    stiffness->linearize(state);
     stiffness->solve(
       &r, laws, position, factor, state.velocity, state.contact_pressure);
     state.velocity *= factor;
@@ -276,6 +291,7 @@ namespace ThermoContact
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
     get_node_laws(body, state, laws, position);
+    matrix.linearize(state);
     matrix.solve(&r, laws, position, 1., change, state.contact_pressure);
     state.displacement += change;
   }
@@ -443,9 +459,15 @@ namespace ThermoContact
       {
         Vector heat = body.discretization.make_vector(Field::temperature);
         Vector temperature(heat);
-        body.equations.add_heating(motion, -1., heat);
-        provide_heat_mass().solve(temperature, heat);
+        at_once->equations().add_heating(motion, -1., heat);
+        if (body.nonlinear)
+          LinearSystem<dim>(at_once->equations(), heat_at_once)
+            .solve(temperature, heat);
+        else
+          provide_heat_mass().solve(temperature, heat);
         state.temperature += temperature;
+        if (body.nonlinear) // by the coefficients that it has then
+          set_static_displacement(*stiffness, state);
       }
     state.velocity = 0.; // a motion at once has none
     set_exchange_of_law(body, state);

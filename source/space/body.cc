@@ -22,6 +22,10 @@ namespace ThermoContact
     , energy(scene, discretization, equations, loads, surroundings)
     , driven_end(scene, discretization, equations, loads, energy)
     , obstacle(scene, contact_end())
+    , nonlinear(
+        scene.sources.has_laws ?
+          std::make_unique<const NonlinearRod>(scene, *equations.rod()) :
+          nullptr)
   {}
 
 

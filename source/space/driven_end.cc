@@ -207,22 +207,6 @@ namespace ThermoContact
 
 
 
-  template <int dim>
-  void
-  DrivenEnd<dim>::subtract_viscous_stress(const double time,
-                                          Vector      &momentum_load) const
-  {
-    if (!scene.sources.has_moving_end)
-      return;
-    set_velocity(time, momentum_lift);
-    equations.viscous_stiffness.add(-scene.material.viscous_factor(),
-                                    momentum_lift,
-                                    momentum_load,
-                                    momentum_product);
-  }
-
-
-
   template class DrivenEnd<1>;
   template class DrivenEnd<2>;
   template class DrivenEnd<3>;

@@ -34,13 +34,14 @@ namespace ThermoContact
 
 
   template <int dim>
-  FieldMaps::FieldMaps(const FieldMatrices<dim> &matrices)
+  FieldMaps::FieldMaps(const FieldMatrices<dim> &matrices,
+                       const RodMatrices        *rod)
   {
     const auto set = [&](LinearMap &to, const FieldMatrix::Kind kind) {
       if (matrices[kind].m() == 0)
         return;
-      if (matrices.rod() != nullptr && kind < FieldMatrix::n_matrices)
-        to = map(*matrices.rod(), kind);
+      if (rod != nullptr && kind < FieldMatrix::n_matrices)
+        to = map(*rod, kind);
       else
         to = map(matrices[kind]);
     };
@@ -83,9 +84,9 @@ namespace ThermoContact
 
 
 
-  template FieldMaps::FieldMaps(const FieldMatrices<1> &);
-  template FieldMaps::FieldMaps(const FieldMatrices<2> &);
-  template FieldMaps::FieldMaps(const FieldMatrices<3> &);
+  template FieldMaps::FieldMaps(const FieldMatrices<1> &, const RodMatrices *);
+  template FieldMaps::FieldMaps(const FieldMatrices<2> &, const RodMatrices *);
+  template FieldMaps::FieldMaps(const FieldMatrices<3> &, const RodMatrices *);
   template FieldMaps::FieldMaps(const CellProducts<2, double> &);
   template FieldMaps::FieldMaps(const CellProducts<3, double> &);
 } // namespace ThermoContact

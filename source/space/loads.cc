@@ -29,6 +29,7 @@ namespace ThermoContact
     , data(data)
     , exchange_coefficient(scene.heat.linear_coefficient())
     , inertia(scene.material.inertia)
+    , has_laws(scene.sources.has_laws)
     , fe_values(discretization.mapping(),
                 discretization.finite_element(),
                 QGauss<dim>(data.heat_source || data.body_force ?

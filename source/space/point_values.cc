@@ -3,6 +3,7 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/nonlinear_rod.h>
 #include <thermocontact/space/point_values.h>
 #include <thermocontact/space/shown_velocity.h>
 
@@ -102,6 +103,77 @@ namespace ThermoContact
     for (const auto &[key, weight] : weights)
       terms[std::get<0>(key)].push_back(
         {std::get<1>(key), std::get<2>(key), weight});
+    if (scene.sources.has_laws && scene.fields.has_displacement)
+      find_law_places(places, n_cells);
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::find_law_places(const std::vector<Place<dim>> &places,
+                                    const std::vector<double>     &n_cells)
+  {
+    const FiniteElement<dim> &base =
+      discretization.finite_element().base_element(0);
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      for (unsigned int place = 0; place < n_places; ++place)
+        {
+          const auto         box    = cell->bounding_box();
+          const unsigned int number = cell->active_cell_index();
+          if (discretization.is_gap(number) ||
+              !box.point_inside(places[place].cell_point, Tolerances::in_cell))
+            continue;
+          const Point<dim> &position = places[place].position;
+          const Point<dim>  unit_point =
+            GeometryInfo<dim>::project_to_unit_cell(box.real_to_unit(position));
+          LawPlace one{
+            place,
+            number,
+            position[0],
+            1. / (n_cells[place] *
+                  discretization.row().of_rod(number, position[0]).section),
+            {},
+            {}};
+          for (unsigned int i = 0; i < base.dofs_per_cell; ++i)
+            {
+              one.value.push_back(base.shape_value(i, unit_point));
+              one.slope.push_back(base.shape_grad(i, unit_point)[0] /
+                                  box.side_length(0));
+            }
+          law_places.push_back(one);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::add_stress_of_laws(const State  &state,
+                                       const Vector &velocity)
+  {
+    const RodLayout layout{discretization.n_active_cells(),
+                           discretization.degree()};
+    for (const LawPlace &one : law_places)
+      {
+        const auto at = [&](const Vector              &vector,
+                            const std::vector<double> &basis) {
+          double sum = 0.;
+          for (unsigned int i = 0; i < basis.size(); ++i)
+            sum += basis[i] * vector.begin()[layout.node(one.cell, i)];
+          return sum;
+        };
+        const BodyRow &row   = discretization.row();
+        const double   theta = at(state.temperature, one.value);
+        values[stress * n_places + one.place] +=
+          one.weight * added_stress(scene.material,
+                                    row.of_rod(one.cell, one.x, theta),
+                                    row.of_rod(one.cell, one.x),
+                                    theta,
+                                    at(state.displacement, one.slope),
+                                    at(velocity, one.slope));
+      }
   }
 
 
@@ -266,6 +338,7 @@ namespace ThermoContact
                  state.temperature,
                  -material.thermal_stress,
                  stress);
+    add_stress_of_laws(state, v);
     if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
       Utilities::MPI::sum(values, discretization.communicator(), values);
 

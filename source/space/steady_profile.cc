@@ -20,12 +20,13 @@ namespace ThermoContact
             const BodyRow &row  = discretization.row();
             const double   from = row.begin_of_last_part();
             for (unsigned int i = 0; i < nodal_values.size(); ++i)
-              if (const double x = nodal_values[i].node[0]; x >= from)
-                profile.local_element(i) = *heat.right_temperature;
-              else if (from == 0.) // one part alone
+              if (const double x = nodal_values[i].node[0];
+                  from == 0.) // one part alone
                 profile.local_element(i) +=
                   (*heat.right_temperature - heat.fixed_end_temperature) * x /
                   row.length();
+              else if (x >= from)
+                profile.local_element(i) = *heat.right_temperature;
           }
         return;
       }

@@ -4,6 +4,8 @@
 #include <thermocontact/space/field_maps.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
+#include <utility>
+
 namespace ThermoContact
 {
   namespace
@@ -39,9 +41,27 @@ namespace ThermoContact
   {
     FieldMaps &maps = *this;
     if (matrices != nullptr)
-      maps = FieldMaps(*matrices);
+      maps = FieldMaps(*matrices, matrices->rod());
     else if constexpr (dim > 1)
       maps = FieldMaps(*cell_products_);
+  }
+
+
+
+  template <int dim>
+  ThermoviscoelasticOperator<dim>::ThermoviscoelasticOperator(
+    const ThermoviscoelasticOperator  &other,
+    std::unique_ptr<const RodMatrices> rod)
+    : discretization(other.discretization)
+    , material(other.material)
+    , is_along_rod(other.is_along_rod)
+    , matrices_(other.matrices_)
+    , own_rod(std::move(rod))
+    , heat_scratch(discretization.make_vector(Field::temperature))
+    , momentum_scratch(discretization.make_vector(Field::displacement))
+  {
+    FieldMaps &maps = *this;
+    maps            = FieldMaps(*matrices_, own_rod.get());
   }
 
 

@@ -23,6 +23,8 @@ namespace ThermoContact
     std::unique_ptr<StageSolver>
     make_stage_solver(const Body<dim> &body)
     {
+      if (body.nonlinear)
+        return nullptr;
       if (body.scene.is_fixed_point)
         return std::make_unique<FixedPointSolver<dim>>(body);
       if constexpr (dim > 1)
@@ -42,6 +44,8 @@ namespace ThermoContact
                  of_scheme :
                  butcher_tableau(scheme_in_order))
     , solver(make_stage_solver(body))
+    , newton(body.nonlinear ? std::make_unique<NewtonStage<dim>>(body) :
+                              nullptr)
     , driven(body)
     , stages(of_scheme.n_stages())
     , accelerations(of_scheme.n_stages(),
@@ -106,8 +110,15 @@ namespace ThermoContact
                                    const ContactMode  mode)
   {
     StageRates &stage = stages[i];
-    const auto  loads = driven.constrain(i, {heat_load, momentum_load}, known);
-    solver->solve(known, tau, loads.heat, loads.momentum, mode, stage);
+    if (newton)
+      newton->solve(
+        i, tau, mode, driven, known, heat_load, momentum_load, stage);
+    else
+      {
+        const auto loads =
+          driven.constrain(i, {heat_load, momentum_load}, known);
+        solver->solve(known, tau, loads.heat, loads.momentum, mode, stage);
+      }
     if (stage.failure.empty() &&
         (i + 1 < tableau->n_stages() || tableau->has_error_estimate() ||
          driven.is_active()))
@@ -271,7 +282,7 @@ namespace ThermoContact
     add_sum(difference.velocity, rate_sums[2]);
     const std::vector<double> &pressure = result.state.contact_pressure;
     if (can_change_at_once(mode))
-      solver->keep_contact(closed_at_end(mode), pressure, difference);
+      stage_solver().keep_contact(closed_at_end(mode), pressure, difference);
     result.error = body.energy.difference_energy(difference, pressure);
   }
 

@@ -23,7 +23,22 @@ namespace ThermoContact
     return matrix == Matrix::inertia ? motion_by_inertia :
            matrix == Matrix::at_once && body.equations.is_coupled() ?
                                        motion_at_once :
+           dim == 1 && body.scene.material.has_viscosity() ?
+                                       motion_by_viscosity :
                                        motion_by_stiffness;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::linearize(const State &state)
+  {
+    if (!body.nonlinear)
+      return;
+    system.reset();
+    own_equations = std::make_unique<const ThermoviscoelasticOperator<dim>>(
+      body.equations, body.nonlinear->at(state.temperature));
   }
 
 
@@ -37,7 +52,7 @@ namespace ThermoContact
     if (matrix != Matrix::inertia)
       preconditioner = make_motion_preconditioner(body);
     auto made =
-      std::make_unique<LinearSystem<dim>>(body.equations,
+      std::make_unique<LinearSystem<dim>>(equations(),
                                           coefficients(),
                                           nullptr,
                                           LinearSystem<dim>::Rows::all,

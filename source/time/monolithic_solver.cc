@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
@@ -66,11 +67,17 @@ namespace ThermoContact
       factorizations.pop_back();
     factorizations.push_front(
       {tau,
-       LinearSystem<dim>(body.equations, stage_coefficients(tau)),
+       LinearSystem<dim>(own_equations ? *own_equations : body.equations,
+                         stage_coefficients(tau)),
        {},
        EndResponse()});
     const LinearSystem<dim> &system = factorizations.front().system;
     counters_.factorizations += system.n_factorizations();
+    if (own_equations && system.refused_growth() > 0.)
+      throw ComputationError(text("the blocks of the tangent matrix grow by ",
+                                  significant(system.refused_growth(), 2),
+                                  " in a stage of length ",
+                                  significant(tau, 3)));
     if (system.refused_growth() > 0. &&
         !std::exchange(has_refused_blocks, true))
       warnings.push_back(
@@ -174,6 +181,8 @@ namespace ThermoContact
     RetainedFactorizations retained;
     retained.counters           = counters_;
     retained.has_refused_blocks = has_refused_blocks;
+    if (own_equations)
+      return retained; // each stage has its own
     for (const Factorization &factorization : factorizations)
       {
         retained.taus.push_back(factorization.tau);
@@ -334,6 +343,17 @@ namespace ThermoContact
 
   template <int dim>
   void
+  MonolithicSolver<dim>::set_equations(
+    std::unique_ptr<const ThermoviscoelasticOperator<dim>> tangents)
+  {
+    factorizations.clear();
+    own_equations = std::move(tangents);
+  }
+
+
+
+  template <int dim>
+  void
   MonolithicSolver<dim>::solve(const State      &known,
                                const double      tau,
                                const Vector     &heat_load,
@@ -474,11 +494,12 @@ namespace ThermoContact
     const double                           tau = factorizations.front().tau;
     equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    equations.product(stage_coefficients(tau),
-                      rates.temperature_rate,
-                      rates.velocity,
-                      products.temperature_rate,
-                      products.velocity);
+    (own_equations ? *own_equations : equations)
+      .product(stage_coefficients(tau),
+               rates.temperature_rate,
+               rates.velocity,
+               products.temperature_rate,
+               products.velocity);
     if (body.scene.fields.has_temperature)
       heat_rhs -= products.temperature_rate;
     momentum_rhs -= products.velocity;

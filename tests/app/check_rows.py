@@ -6,6 +6,7 @@ hopkinson-bar: rho c A V/2 for 2 L/c at the striker, until its wave is back; the
 sqrt(70/210 2700/7850) Z: the first force it passes on is the incident one times 4 Z Z2/(Z + Z2)^2; later forces
 approach the incident one, at both faces alike.
 horn: the mode of its head; the stress is E u_x of it, whatever the section.
+hot-bar: the force of its head, int theta K/int K/E by the integrals over theta there.
 cradle, drop-weight, bouncing-ball: tests/verification/rows.cc; here impulses and events by name.
 rattling-rods: the pressure swings about 1 with growing amplitude, up to where k is cut.
 In fields the bodies stand side by side, and nothing is drawn between them.
@@ -88,6 +89,12 @@ elif title.startswith("Ultrasonic"):
         for name, size, scale in (("displacement", u, 3e-6), ("stress", 114e9 * slope, 5.4e6)):
             found = numpy.array([float(row[f"{name}_{i + 1}"]) for row in rows])
             check(f"{name} at {x} m", abs(found - size * swing).max() / scale, 0, 0.005)
+elif title == "Hot bar":
+    kappa, gamma, hot = 6e-4, 4e-4, 300
+    heat = hot**2 / 2 - kappa * hot**3 / 3
+    soft = kappa / gamma * hot + (kappa / gamma - 1) * math.log(1 - gamma * hot) / gamma
+    last = table("bar-obstacle")
+    check("force", last["contact_force"][-1] / (21e6 * 12e-6 * heat / soft), 1, 1e-6)
 elif title.startswith("Bouncing"):
     check("bounces", float(first["ball-obstacle"]["velocity"]), 2, 1e-12)
     check("restitution", run.summary["restitution"], 0, 1e-3)

@@ -95,6 +95,12 @@ SCENES = [
     ("Bodies/a/Cells", TWO + ("Bodies/a/Section=1+floor(20*x)",), "Bodies/a/Cells=1", "Bodies/a/Cells=10"),
     ("Bodies/a/Cells", TWO + SDIRK + ("Bodies/a/Section=1+abs(x-0.2)",), "Bodies/a/Cells=1", "Bodies/a/Cells=2"),
     ("Bodies/a/Stiffness", TWO, "Bodies/a/Stiffness=2+sin(1e9*x)", "Bodies/a/Stiffness=2+sin(x)"),
+    # coefficients of the temperature
+    ("Bodies/a/Stiffness", TWO + MOVING + SDIRK, "Bodies/a/Stiffness=2+theta", "Bodies/a/Stiffness=2+x"),
+    ("Bodies/a/Coupling", TWO, ("Bodies/a/Coupling=2+theta", "Time/Scheme=box"),
+     ("Bodies/a/Coupling=2+theta", "Contact/Condition=normal compliance")),
+    ("Bodies/a/Section", TWO, "Bodies/a/Section=1+theta", "Bodies/a/Section=1+x"),
+    ("Bodies/a/Conductivity", TWO + SDIRK, "Bodies/a/Conductivity=theta-1", "Bodies/a/Conductivity=2+theta/1e3"),
     ("Bodies/a/Cells", TWO + ("Bodies/a/Conductivity=if(x<0.2,1,2)",), "Bodies/a/Cells=1", "Bodies/a/Cells=2",
      "Bodies/a/Cells=automatic"),
     ("Bodies/b/Heat capacity", rods("a") + mass("b"), "Bodies/b/Heat capacity=1+x", "Bodies/b/Heat capacity=2",

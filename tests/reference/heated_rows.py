@@ -3,18 +3,21 @@
 """Random rows of rods and masses with heat, viscosity and elastic contacts: an independent program.
 
 The matrices of linear elements are assembled here, and scipy's Radau method integrates (M10.1), (M10.2). Contacts have p = [s]_+/eps and q = k (theta_L - theta_R)
-with a number k or k(gap, pressure).
+with a number k or k(gap, pressure). Coefficients may depend on the temperature, (M10.8): what they add is integrated here with two points of Gauss in a cell.
 """
 import random
 
 import numpy
 from scipy.integrate import solve_ivp
 
+LAWS = {"exp({0}*theta)": lambda s, theta: numpy.exp(s * theta),
+        "(1 + {0}*theta/(1 + theta^2))": lambda s, theta: 1 + s * theta / (1 + theta**2)}
+OF_TEMPERATURE = ("stiffness", "viscosity", "coupling", "conductivity", "capacity")
 CONSTANT, OF_CONTACT = "constant", "if(pressure > 0, {0} + {1}*pressure, {0}/(1 + {2}*gap))"
 
 
 class Scene:
-    def __init__(self, seed):
+    def __init__(self, seed, has_laws=False):
         draw = random.Random(seed)
         number = lambda low, high: round(draw.uniform(low, high), 3)  # noqa: E731
         n = draw.randint(2, 4)
@@ -53,6 +56,10 @@ class Scene:
         self.obstacle = number(-1, 1)
         self.force, self.source = draw.choice((0., number(-0.5, 0.5))), draw.choice((0., number(-1, 1)))
         self.times = [0.5, 1., 1.5, 2.]
+        draw = random.Random(seed + 1_000_000)
+        for body in self.bodies:
+            body["laws"] = {name: (draw.choice(list(LAWS)), number(-0.4, 0.4)) for name in OF_TEMPERATURE
+                            if has_laws and body["kind"] == "rod" and draw.random() < 0.6}
 
     def clamped_moves_not(self):
         """A clamped end has no velocity, nor what is bonded to it."""
@@ -87,12 +94,16 @@ class Scene:
         for body in self.bodies:
             path = f"Bodies/{body['name']}/"
             c0, c1 = body["temperature"]
+
+            def of_theta(name):
+                law, factor = body["laws"].get(name, ("1", 0.))
+                return f"{body[name]}" + (f"*{law.format(factor)}" if name in body["laws"] else "")
             entries += [path + f"Velocity={body['velocity']}", path + f"Temperature={c0!r}+{c1}*x",
-                        path + f"Heat capacity={body['capacity']}"]
+                        path + f"Heat capacity={of_theta('capacity')}"]
             if body["kind"] == "mass":
                 entries += [path + "Kind=mass", path + f"Mass={body['mass']}"]
             else:
-                entries += [path + f"{entry}={body[entry.lower()]}" for entry in (
+                entries += [path + f"{entry}={of_theta(entry.lower())}" for entry in (
                     "Length", "Cells", "Section", "Stiffness", "Density", "Viscosity", "Coupling", "Conductivity")]
         for a, b, gap, bonded in zip(self.bodies, self.bodies[1:], self.gaps, self.bonded):
             entries.append(f"Contacts/{a['name']} {b['name']}/" + ("Condition=bonded" if bonded else f"Gap={gap}"))
@@ -118,6 +129,7 @@ class Row:
             ends.append((first, n - 1))
             places.append(numpy.linspace(0, body["length"] if body["kind"] == "rod" else 0, n - first))
         self.n = n
+        self.laws = []  # (cells, size, body) of rods whose coefficients depend on the temperature
         names = ("heat_mass", "conduction", "lateral", "divergence", "mass", "stiffness", "damping", "stress")
         for name in names:
             setattr(self, name, numpy.zeros((n, n)))
@@ -133,6 +145,8 @@ class Row:
                 continue
             h = body["length"] / body["cells"]
             section = body["section"]
+            if body["laws"]:
+                self.laws.append((numpy.arange(first, last), h, body))
             local_mass = section * h / 6 * numpy.array([[2., 1.], [1., 2.]])
             local_stiffness = section / h * numpy.array([[1., -1.], [-1., 1.]])
             local_divergence = section / 2 * numpy.array([[-1., 1.], [-1., 1.]])  # (phi_i, phi_j')
@@ -179,6 +193,35 @@ class Row:
             result.append((p, k * (theta[left] - (theta[right] if right >= 0 else self.scene.obstacle))))
         return result
 
+    def add_laws(self, theta, u, v, heat, force, heat_mass):
+        """What the laws add to heat, force and the matrix of heat capacity beyond the coefficients at theta = 0."""
+        scene = self.scene
+        for cells, h, body in self.laws:
+            slope = lambda values: (values[cells + 1] - values[cells]) / h  # noqa: E731
+            for place in (0.5 - 12**-0.5, 0.5 + 12**-0.5):
+                shapes = ((0, 1 - place, -1 / h), (1, place, 1 / h))
+                at = sum(value * theta[cells + i] for i, value, _ in shapes)
+
+                def over_zero(*names):
+                    factor = 1.
+                    for name in names:
+                        if name in body["laws"]:
+                            law, s = body["laws"][name]
+                            factor = factor * LAWS[law](s, at)
+                    weight = body["section"] * h / 2
+                    for name in names:
+                        weight *= body[name]
+                    return weight * (factor - 1)
+                coupling = scene.coupling * over_zero("coupling")
+                stress = (over_zero("stiffness") * slope(u) - coupling * at
+                          + scene.viscosity * over_zero("stiffness", "viscosity") * slope(v))
+                flux = over_zero("conductivity") * slope(theta)
+                for i, value, derivative in shapes:
+                    numpy.add.at(force, cells + i, -stress * derivative)
+                    numpy.add.at(heat, cells + i, -flux * derivative - coupling * slope(v) * value)
+                    for j, other, _ in shapes:
+                        numpy.add.at(heat_mass, (cells + i, cells + j), over_zero("capacity") * value * other)
+
     def rates(self, _, state):
         n, scene = self.n, self.scene
         theta, u, v = state[:n], state[n:2 * n], state[2 * n:3 * n]
@@ -197,7 +240,13 @@ class Row:
             outer[-1] -= scene.exchange[0] * (theta[-1] - scene.obstacle)
         heat = outer - self.conduction @ theta - self.divergence @ v
         theta_rate, v_rate = numpy.zeros(n), numpy.zeros(n)
-        theta_rate[self.free_theta] = self.heat_inverse @ heat[self.free_theta]
+        if self.laws:
+            heat_mass = self.heat_mass.copy()
+            self.add_laws(theta, u, v, heat, force, heat_mass)
+            free = self.free_theta
+            theta_rate[free] = numpy.linalg.solve(heat_mass[numpy.ix_(free, free)], heat[free])
+        else:
+            theta_rate[self.free_theta] = self.heat_inverse @ heat[self.free_theta]
         v_rate[self.free_u] = self.mass_inverse @ force[self.free_u]
         return numpy.concatenate([theta_rate, v, v_rate])
 

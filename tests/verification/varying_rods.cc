@@ -6,7 +6,9 @@
 // 1. Static, A = exp(-x), E = 1 + x, force f = 1/10 at the right end:
 //    u = f times the integral of exp(x)/(1 + x), by a series here; the stress
 //    at x = 0.45 is f exp(0.45). The mesh of 3 linear cells, whose stiffness is
-//    that of the parts in series, has it exactly at its nodes, too.
+//    that of the parts in series, has it exactly at its nodes, too. Without
+//    inertia, zeta = 1/2 and four times that in the right half, f starts with
+//    v(1) = f/zeta (1/2 + 1/8).
 // 2. Cone A = (1 + x)^2, clamped on the left, free on the right, b = 1:
 //    u = sin(w x)/(1 + x) cos(w t) with tan(w) = 2 w: sdirk4 with cells of
 //    degree 4 to the tolerance; box of order 2.
@@ -85,6 +87,18 @@ namespace
                 << within(std::abs(stress - 0.1 * std::exp(0.45)), 1e-8)
                 << std::endl;
       }
+    const StepRecord pulled =
+      run<1>("",
+             Overrides{"Model/Fields=displacement",
+                       "Model/Inertia=0",
+                       "Model/Viscosity=0.5",
+                       "Boundary/right/Traction=0.1",
+                       "Time/End time=0.1"} +
+               free_right + body("bar", {"Viscosity=if(x<0.5,1,4)", "Cells=2"}))
+        .rows.front();
+    deallog << "viscous: v(1) "
+            << within(std::abs(pulled.velocity_end - 0.125), 1e-11)
+            << std::endl;
   }
 
 

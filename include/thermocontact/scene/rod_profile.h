@@ -6,6 +6,7 @@
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameters.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,14 +24,20 @@ namespace ThermoContact
   bool
   operator==(const RodCoefficients &one, const RodCoefficients &other);
 
+  /** Coefficients with their derivatives in the temperature. */
+  struct RodTangents
+  {
+    RodCoefficients value, slope;
+  };
+
 
 
   /**
    * The coefficients of a rod of a row along its length, (M10.1): numbers, or
    * expressions of $x$, which is 0 at the left end of the rod and its length at
-   * the right one, nondimensional. Where they jump the mesh has nodes, and
-   * where they have kinks if its cells are not linear: the rod has parts in
-   * which they are smooth.
+   * the right one, nondimensional, and of the temperature. Where they jump at
+   * $\theta=0$ the mesh has nodes, and where they have kinks if its cells are
+   * not linear: the rod has parts in which they are smooth.
    */
   class RodProfile
   {
@@ -46,9 +53,20 @@ namespace ThermoContact
     bool
     varies() const;
 
-    /** At a place; at a jump it is the expression's choice. */
+    /** The coefficients that depend on the temperature; of this object. */
+    std::vector<const Expression *>
+    of_temperature() const;
+
+    /**
+     * At a place and a temperature; at a jump it is the expression's choice.
+     *
+     * @throw InputError if a value is not allowed
+     */
     RodCoefficients
-    at(const double x) const;
+    at(const double x, const double theta = 0.) const;
+
+    RodTangents
+    tangents(const double x, const double theta) const;
 
     /** Right inside one of the ends. */
     RodCoefficients
@@ -103,8 +121,8 @@ namespace ThermoContact
       n_coefficients
     };
 
-    /** A number, or else an expression of the variable behind three empty ones,
-     * as loads have it. */
+    /** A number, or else an expression of theta and, where loads have t, of
+     * x. */
     struct Coefficient
     {
       double                    number = 1.;
@@ -112,8 +130,9 @@ namespace ThermoContact
       double                    length = 1.; ///< of the rod
 
       /** @throw InputError if the value is not allowed */
-      double
-      at(const double x) const;
+      template <typename Number = double>
+      Number
+      at(const double x, const Number &theta = Number(0.)) const;
 
       bool may_be_zero     = false;
       bool may_be_negative = false;
@@ -123,6 +142,11 @@ namespace ThermoContact
     double                   inertia; ///< $b$
     std::vector<Coefficient> all;
     std::vector<double>      ends; ///< of the parts, with 0
+
+    /** The members of RodCoefficients in their order. */
+    template <typename Number>
+    std::array<Number, 7>
+    terms(const double x, const Number &theta) const;
 
     /** $\sqrt{b\rho/E}$ */
     double

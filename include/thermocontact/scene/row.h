@@ -97,11 +97,20 @@ namespace ThermoContact
 
     /** The coefficients of the equations at a place of a cell, */
     RodCoefficients
-    in_equations(const unsigned int cell, const double x) const;
+    in_equations(const unsigned int cell,
+                 const double       x,
+                 const double       theta = 0.) const;
 
-    /** and of the rod itself, where the cell has their means, (M10.7). */
+    /** and of the rod itself, where the cell has their means, (M10.7), or where
+     * the temperature is not zero, (M10.8). */
     RodCoefficients
-    of_rod(const unsigned int cell, const double x) const;
+    of_rod(const unsigned int cell,
+           const double       x,
+           const double       theta = 0.) const;
+
+    /** The coefficients of a rod depend on its temperature. */
+    bool
+    depends_on_temperature() const;
 
     /** A rod has coefficients that vary. */
     bool

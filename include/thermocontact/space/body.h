@@ -8,6 +8,7 @@
 #include <thermocontact/space/driven_end.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/loads.h>
+#include <thermocontact/space/nonlinear_rod.h>
 #include <thermocontact/space/obstacle_motion.h>
 #include <thermocontact/space/problem_data.h>
 #include <thermocontact/space/surroundings.h>
@@ -52,6 +53,9 @@ namespace ThermoContact
     const Energy<dim>                                energy;
     const DrivenEnd<dim>                             driven_end;
     const ObstacleMotion<dim>                        obstacle;
+
+    /** Null where no coefficient depends on the temperature. */
+    const std::unique_ptr<const NonlinearRod> nonlinear;
 
     /** The contact law, which every node has. */
     const ContactLaw &

@@ -90,14 +90,6 @@ namespace ThermoContact
           const Vector &heat_load,
           const Vector &momentum_load) const;
 
-    /**
-     * Velocity of the end at a time from the right-hand side and into the
-     * solution of a body without inertia, $\zeta Sv=\dots$: subtracts its
-     * effect on the rest of the body.
-     */
-    void
-    subtract_viscous_stress(const double time, Vector &momentum_load) const;
-
     /** Sets the velocity of the end to that of the drive at @p time. */
     void
     set_velocity(const double time, Vector &velocity) const;

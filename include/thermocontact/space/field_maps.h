@@ -19,9 +19,13 @@ namespace ThermoContact
   {
     FieldMaps() = default;
 
-    /** By matrices or those of their rod, which are borrowed. */
+    /**
+     * By matrices, or by those of a rod in their place; borrowed.
+     *
+     * @param rod null: there is none
+     */
     template <int dim>
-    explicit FieldMaps(const FieldMatrices<dim> &matrices);
+    FieldMaps(const FieldMatrices<dim> &matrices, const RodMatrices *rod);
 
     /** Without matrices; @p products are borrowed. */
     template <int dim>

@@ -41,10 +41,11 @@ namespace ThermoContact
       return outer_heat_;
     }
 
+    /** Also those that coefficients of the temperature add later. */
     bool
     has_sources() const
     {
-      return !data.sources.empty();
+      return !data.sources.empty() || has_laws;
     }
 
     /**
@@ -63,6 +64,7 @@ namespace ThermoContact
     ProblemData<dim>          &data;
     const double               exchange_coefficient; ///< if it is a number
     const double               inertia;              ///< $b$
+    const bool                 has_laws;             ///< SceneSources::has_laws
     FEValues<dim>              fe_values;
     FEFaceValues<dim>          face_values;
     AffineConstraints<double>  unconstrained;

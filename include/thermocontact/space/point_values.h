@@ -130,9 +130,20 @@ namespace ThermoContact
       }
     };
 
+    /** A cell of a place in a rod whose coefficients depend on the temperature,
+     * (M10.8). */
+    struct LawPlace
+    {
+      unsigned int        place, cell;
+      double              x;
+      double              weight;       ///< over the section
+      std::vector<double> value, slope; ///< of the basis
+    };
+
     const Scene                           &scene;
     const Discretization<dim>             &discretization;
     const unsigned int                     n_places;
+    std::vector<LawPlace>                  law_places;
     std::array<std::vector<Term>, n_forms> terms;
     std::vector<double>                    values;
     std::vector<double>                    axial_values;
@@ -157,6 +168,15 @@ namespace ThermoContact
                const Vector  &vector,
                const double   factor,
                const Quantity quantity);
+
+    /** @param n_cells of each place */
+    void
+    find_law_places(const std::vector<Place<dim>> &places,
+                    const std::vector<double>     &n_cells);
+
+    /** Adds the stress beyond that of the coefficients at $\theta=0$. */
+    void
+    add_stress_of_laws(const State &state, const Vector &velocity);
 
     /** The values of a quantity are NaN. */
     void

@@ -69,7 +69,13 @@ namespace ThermoContact
   inline constexpr SystemCoefficients
     motion_by_stiffness{0., 0., 0., 0., 0., 1., 1.};
 
-  /** The same with the heat of the motion, which does not flow, (C4.4). */
+  /** $\zeta S_\zeta$: forces and velocities of a viscous body without inertia.
+   */
+  inline constexpr SystemCoefficients
+    motion_by_viscosity{0., 0., 0., 0., 0., 1., 0.};
+
+  /** Displacements of a body without inertia at once, with the heat of the
+   * motion, which does not flow, (C4.4). */
   inline constexpr SystemCoefficients
     motion_at_once{1., 0., 1., 1., 0., 0., 1.};
 

@@ -42,6 +42,11 @@ namespace ThermoContact
                                const Discretization<dim> &discretization,
                                const FieldMatrices<dim>  *matrices);
 
+    /** The equations of a rod with other matrices, which it takes over: such as
+     * tangents of coefficients of the temperature. */
+    ThermoviscoelasticOperator(const ThermoviscoelasticOperator  &other,
+                               std::unique_ptr<const RodMatrices> rod);
+
     ~ThermoviscoelasticOperator();
 
     const Discretization<dim> &
@@ -68,7 +73,9 @@ namespace ThermoContact
     const RodMatrices *
     rod() const
     {
-      return matrices_ != nullptr ? matrices_->rod() : nullptr;
+      return own_rod              ? own_rod.get() :
+             matrices_ != nullptr ? matrices_->rod() :
+                                    nullptr;
     }
 
     /** Whether systems are to be eliminated by the blocks of rod(). */
@@ -165,6 +172,7 @@ namespace ThermoContact
     /** One of the two is there. */
     const FieldMatrices<dim> *const                        matrices_;
     const std::unique_ptr<const CellProducts<dim, double>> cell_products_;
+    const std::unique_ptr<const RodMatrices>               own_rod; ///< or null
     mutable Vector                                         heat_scratch;
     mutable Vector                                         momentum_scratch;
 

@@ -6,6 +6,7 @@
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/method/butcher_tableau.h>
 #include <thermocontact/time/driven_step.h>
+#include <thermocontact/time/newton_stage.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <array>
@@ -49,7 +50,7 @@ namespace ThermoContact
     StageSolver &
     stage_solver() override
     {
-      return *solver;
+      return newton ? newton->solver() : *solver;
     }
 
   private:
@@ -60,7 +61,10 @@ namespace ThermoContact
     const ButcherTableau &in_order;
 
     const ButcherTableau *tableau = nullptr; ///< of the present step
-    const std::unique_ptr<StageSolver> solver;
+
+    /** One of the two is there. */
+    const std::unique_ptr<StageSolver>      solver;
+    const std::unique_ptr<NewtonStage<dim>> newton;
 
     DrivenStep<dim>  driven; ///< of a fixed end that is heated or moved
     PrescribedMotion gaps;   ///< of an obstacle that moves

@@ -18,7 +18,7 @@ namespace ThermoContact
    * the displacement, with pressures of contact nodes that their laws give at
    * $x+c y_n$. With $K=bM_u$ y is an acceleration, or a change of the velocity
    * and p an impulse; with $K=(\zeta+1)S$ of a body without inertia it is a
-   * displacement or, times $(\zeta+1)/\zeta$, a velocity. Factors and responses
+   * displacement or, times velocity_factor(), a velocity. Factors and responses
    * are made when they are needed first, and kept.
    */
   template <int dim>
@@ -28,7 +28,8 @@ namespace ThermoContact
     enum class Matrix
     {
       inertia,   ///< $bM_u$; laws are rigid and hold their nodes
-      stiffness, ///< $(\zeta+1)S$, of a body without inertia
+      stiffness, ///< of a body without inertia $(\zeta+1)S$, of a viscous
+                 ///< rod, whose parts may differ, $\zeta S_\zeta$
       at_once ///< $S+a^2D^TM^{-1}D$ of a static body, which takes heat, (C4.4)
     };
 
@@ -43,6 +44,28 @@ namespace ThermoContact
     /** Makes the parts that are kept and are not there yet. Collective. */
     void
     provide();
+
+    /**
+     * Where coefficients depend on the temperature: drops the parts that are
+     * kept, and makes the next ones with the coefficients of this state.
+     */
+    void
+    linearize(const State &state);
+
+    /** Those of the body, or at the last state of linearize(). */
+    const ThermoviscoelasticOperator<dim> &
+    equations() const
+    {
+      return own_equations ? *own_equations : body.equations;
+    }
+
+    /** Of a viscous body: its velocity over the solution y of the stiffness. */
+    double
+    velocity_factor() const
+    {
+      const double viscosity = body.scene.material.viscosity;
+      return dim == 1 ? 1. : (viscosity + 1.) / viscosity;
+    }
 
     bool
     is_provided() const
@@ -74,8 +97,12 @@ namespace ThermoContact
     const SystemCoefficients &
     coefficients() const;
 
-    SolverCounters                    &counters;
-    std::unique_ptr<Preconditioner>    preconditioner; ///< or null
+    SolverCounters                 &counters;
+    std::unique_ptr<Preconditioner> preconditioner; ///< or null
+
+    /** In the place of those of the body; null: they are not. */
+    std::unique_ptr<const ThermoviscoelasticOperator<dim>> own_equations;
+
     std::unique_ptr<LinearSystem<dim>> system;
     std::unique_ptr<ContactPort<dim>>  port;
   };

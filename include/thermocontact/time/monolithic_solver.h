@@ -11,6 +11,7 @@
 
 #include <array>
 #include <list>
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -46,6 +47,14 @@ namespace ThermoContact
           const Vector &momentum_load,
           ContactMode   mode,
           StageRates   &rates) override;
+
+    /**
+     * Solves by these equations from now on instead of those of the body, such
+     * as tangents at an instant. Earlier factors are dropped.
+     */
+    void
+    set_equations(
+      std::unique_ptr<const ThermoviscoelasticOperator<dim>> tangents);
 
     void
     keep_contact(const std::vector<bool>   &is_closed,
@@ -87,7 +96,11 @@ namespace ThermoContact
     apply_pressure(StageRates &rates) const;
 
   private:
-    const Body<dim>    &body;
+    const Body<dim> &body;
+
+    /** In the place of those of the body; null: they are not. */
+    std::unique_ptr<const ThermoviscoelasticOperator<dim>> own_equations;
+
     const HeatExchange &exchange;
     InterfaceProblem    problem;
 

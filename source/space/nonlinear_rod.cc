@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/massless_contact.h>
+#include <thermocontact/space/nonlinear_rod.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_q.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace ThermoContact
+{
+  using namespace dealii;
+
+  double
+  added_stress(const Material        &material,
+               const RodCoefficients &now,
+               const RodCoefficients &zero,
+               const double           theta,
+               const double           strain,
+               const double           strain_rate)
+  {
+    return (now.stiffness - zero.stiffness) * strain +
+           material.viscosity * (now.viscosity - zero.viscosity) * strain_rate -
+           material.thermal_stress * (now.coupling - zero.coupling) * theta;
+  }
+
+
+
+  NonlinearRod::NonlinearRod(const Scene &scene, const RodMatrices &matrices)
+    : fields(scene.fields)
+    , material(scene.material)
+    , matrices(matrices)
+  {
+    const unsigned int degree = matrices.layout().degree;
+    const FE_Q<1>      basis(degree);
+    const auto         read = [&](const Quadrature<1> &rule) {
+      std::vector<Point> all;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          Point point{rule.point(q)[0], rule.weight(q), {}, {}};
+          for (unsigned int i = 0; i <= degree; ++i)
+            {
+              point.value.push_back(basis.shape_value(i, rule.point(q)));
+              point.slope.push_back(basis.shape_grad(i, rule.point(q))[0]);
+            }
+          all.push_back(point);
+        }
+      return all;
+    };
+    mass_points = read(mass_quadrature<1>(degree, scene.has_lumped_mass));
+    points      = read(QGauss<1>(degree + 1));
+    for (unsigned int number = 0; number < scene.row.cells.size(); ++number)
+      {
+        const RowCell &of_row = scene.row.cells[number];
+        if (of_row.is_gap)
+          continue;
+        const auto &profile = scene.row.bodies[of_row.body].profile;
+        if (!profile || profile->of_temperature().empty())
+          continue;
+        // within the cell, beside a jump at its ends
+        const double inside = Tolerances::rounding_of_data * of_row.size;
+        Cell         cell{number,
+                  of_row.size - 2. * inside,
+                  of_row.begin + inside,
+                  &*profile,
+                  {},
+                  {}};
+        for (const Point &point : mass_points)
+          cell.of_mass.push_back(
+            profile->at(cell.begin + point.place * cell.size));
+        for (const Point &point : points)
+          cell.of_rest.push_back(
+            profile->at(cell.begin + point.place * cell.size));
+        cells.push_back(cell);
+      }
+  }
+
+
+
+  std::vector<double>
+  NonlinearRod::at_nodes(const Vector &vector, const unsigned int cell) const
+  {
+    const RodLayout    &layout = matrices.layout();
+    std::vector<double> values(layout.nodes_per_cell(), 0.);
+    if (vector.size() > 0)
+      for (unsigned int i = 0; i < values.size(); ++i)
+        values[i] = vector.begin()[layout.node(cell, i)];
+    return values;
+  }
+
+
+
+  template <typename AtMass, typename AtRest>
+  void
+  NonlinearRod::visit(const Cell    &cell,
+                      const Instant &instant,
+                      const AtMass  &at_mass,
+                      const AtRest  &at_rest) const
+  {
+    const auto theta = at_nodes(instant.temperature, cell.number),
+               rate  = at_nodes(instant.temperature_rate, cell.number),
+               u     = at_nodes(instant.displacement, cell.number),
+               v     = at_nodes(instant.velocity, cell.number);
+    const auto sum   = [](const auto &basis, const auto &values) {
+      double result = 0.;
+      for (unsigned int i = 0; i < values.size(); ++i)
+        result += basis[i] * values[i];
+      return result;
+    };
+    const auto visit_points = [&](const std::vector<Point>           &all,
+                                  const std::vector<RodCoefficients> &at_zero,
+                                  const auto                         &at) {
+      for (unsigned int q = 0; q < all.size(); ++q)
+        {
+          const Point &point = all[q];
+          at(point,
+             point.weight * cell.size,
+             cell.begin + point.place * cell.size,
+             Local{sum(point.value, theta),
+                   sum(point.slope, theta) / cell.size,
+                   sum(point.value, rate),
+                   sum(point.slope, u) / cell.size,
+                   sum(point.slope, v) / cell.size},
+             at_zero[q]);
+        }
+    };
+    visit_points(mass_points, cell.of_mass, at_mass);
+    visit_points(points, cell.of_rest, at_rest);
+  }
+
+
+
+  void
+  NonlinearRod::subtract(const Instant &instant,
+                         Vector        &heat,
+                         Vector        &momentum) const
+  {
+    const RodLayout &layout = matrices.layout();
+    for (const Cell &cell : cells)
+      visit(
+        cell,
+        instant,
+        [&](const Point           &point,
+            const double           weight,
+            const double           x,
+            const Local           &at,
+            const RodCoefficients &zero) {
+          const double added =
+            cell.profile->at(x, at.theta).heat_mass - zero.heat_mass;
+          for (unsigned int i = 0; i < layout.nodes_per_cell(); ++i)
+            heat.begin()[layout.node(cell.number, i)] -=
+              weight * added * at.rate * point.value[i];
+        },
+        [&](const Point           &point,
+            const double           weight,
+            const double           x,
+            const Local           &at,
+            const RodCoefficients &zero) {
+          const RodCoefficients now      = cell.profile->at(x, at.theta);
+          const double          coupling = now.coupling - zero.coupling,
+                       source = material.heating * coupling * at.strain_rate,
+                       flux   = (now.conduction - zero.conduction) * at.theta_x,
+                       stress = (now.stiffness - zero.stiffness) * at.strain +
+                                material.viscosity *
+                                  (now.viscosity - zero.viscosity) *
+                                  at.strain_rate -
+                                material.thermal_stress * coupling * at.theta;
+          for (unsigned int i = 0; i < layout.nodes_per_cell(); ++i)
+            {
+              const unsigned int node  = layout.node(cell.number, i);
+              const double       slope = point.slope[i] / cell.size;
+              heat.begin()[node] -=
+                weight * (flux * slope + source * point.value[i]);
+              if (fields.has_displacement)
+                momentum.begin()[node] -= weight * stress * slope;
+            }
+        });
+  }
+
+
+
+  std::unique_ptr<const RodMatrices>
+  NonlinearRod::at(const Vector &temperature) const
+  {
+    const Vector none;
+    return matrices_at({temperature, none, none, none}, false);
+  }
+
+
+
+  std::unique_ptr<const RodMatrices>
+  NonlinearRod::matrices_at(const Instant &instant,
+                            const bool     with_slopes) const
+  {
+    using Matrix               = RodMatrices::Matrix;
+    const RodLayout    &layout = matrices.layout();
+    const unsigned int  n      = layout.nodes_per_cell();
+    const std::size_t   n_cell = RodMatrices::n_matrices * n * n;
+    std::vector<double> entries(layout.n_cells * n_cell);
+    std::vector<bool>   carries(layout.n_cells);
+    for (const RodMatrices::Run &run : matrices.runs())
+      for (unsigned int cell = run.begin; cell < run.end; ++cell)
+        {
+          const double *const of_run = matrices.entries(run, Matrix(0));
+          std::copy(of_run, of_run + n_cell, entries.data() + cell * n_cell);
+          carries[cell] = run.carries;
+        }
+    const auto tangents_at =
+      [with_slopes](const Cell &cell, const double x, const double theta) {
+        return with_slopes ?
+                 cell.profile->tangents(x, theta) :
+                 RodTangents{cell.profile->at(x, theta), RodCoefficients()};
+      };
+    for (const Cell &cell : cells)
+      {
+        const auto add = [&](const Matrix               matrix,
+                             const double               factor,
+                             const std::vector<double> &row,
+                             const std::vector<double> &column) {
+          double *entry =
+            entries.data() + cell.number * n_cell + matrix * n * n;
+          for (unsigned int j = 0; j < n; ++j)
+            for (unsigned int i = 0; i < n; ++i)
+              *entry++ += factor * row[i] * column[j];
+        };
+        visit(
+          cell,
+          instant,
+          [&](const Point           &point,
+              const double           weight,
+              const double           x,
+              const Local           &at,
+              const RodCoefficients &zero) {
+            const RodTangents now = tangents_at(cell, x, at.theta);
+            add(RodMatrices::heat_mass,
+                weight * (now.value.heat_mass - zero.heat_mass),
+                point.value,
+                point.value);
+            add(RodMatrices::conduction,
+                weight * now.slope.heat_mass * at.rate,
+                point.value,
+                point.value);
+          },
+          [&](const Point           &point,
+              const double           weight,
+              const double           x,
+              const Local           &at,
+              const RodCoefficients &zero) {
+            const RodTangents tangents   = cell.profile->tangents(x, at.theta);
+            const RodCoefficients &now   = tangents.value,
+                                  &slope = tangents.slope;
+            const double by_slope        = weight / cell.size;
+            const double by_slopes       = by_slope / cell.size;
+            add(RodMatrices::conduction,
+                by_slopes * (now.conduction - zero.conduction),
+                point.slope,
+                point.slope);
+            add(RodMatrices::conduction,
+                by_slope * slope.conduction * at.theta_x,
+                point.slope,
+                point.value);
+            add(RodMatrices::conduction,
+                weight * material.heating * slope.coupling * at.strain_rate,
+                point.value,
+                point.value);
+            if (!fields.has_displacement)
+              return;
+            const double coupling = now.coupling - zero.coupling;
+            add(RodMatrices::divergence,
+                by_slope * coupling,
+                point.value,
+                point.slope);
+            add(RodMatrices::stiffness,
+                by_slopes * (now.stiffness - zero.stiffness),
+                point.slope,
+                point.slope);
+            if (material.has_viscosity())
+              add(RodMatrices::viscous_stiffness,
+                  by_slopes * (now.viscosity - zero.viscosity),
+                  point.slope,
+                  point.slope);
+            if (material.has_thermal_stress())
+              add(RodMatrices::thermal_stress,
+                  by_slope *
+                    (coupling + slope.coupling * at.theta -
+                     (slope.stiffness * at.strain +
+                      material.viscosity * slope.viscosity * at.strain_rate) /
+                       material.thermal_stress),
+                  point.slope,
+                  point.value);
+          });
+      }
+    return std::make_unique<const RodMatrices>(
+      layout,
+      0.,
+      [&](const Matrix       matrix,
+          const unsigned int cell,
+          const unsigned int i,
+          const unsigned int j) {
+        return entries[cell * n_cell + (matrix * n + j) * n + i];
+      },
+      carries);
+  }
+} // namespace ThermoContact

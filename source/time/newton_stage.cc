@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/base/tolerances.h>
+#include <thermocontact/time/newton_stage.h>
+
+#include <algorithm>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    constexpr unsigned int max_iterations = 25;
+  } // namespace
+
+
+
+  template <int dim>
+  NewtonStage<dim>::NewtonStage(const Body<dim> &body)
+    : body(body)
+    , linear(body)
+    , end(body.discretization.make_state())
+    , acceleration(body.discretization.make_vector(Field::displacement))
+    , heat(body.discretization.make_vector(Field::temperature))
+    , momentum(acceleration)
+    , heat_product(heat)
+    , momentum_product(momentum)
+    , last_rate(heat)
+    , last_velocity(momentum)
+  {}
+
+
+
+  template <int dim>
+  void
+  NewtonStage<dim>::set_end(const unsigned int     i,
+                            const double           tau,
+                            const DrivenStep<dim> &driven,
+                            const State           &known,
+                            const StageRates      &stage)
+  {
+    set_sum(end.temperature, known.temperature, tau, stage.temperature_rate);
+    set_sum(end.displacement, known.displacement, tau, stage.velocity);
+    // the known values of a driven end are those at the end of the stage
+    full = stage;
+    driven.complete(i, full, acceleration);
+  }
+
+
+
+  template <int dim>
+  void
+  NewtonStage<dim>::linearize(const double tau, const StageRates &stage)
+  {
+    const NonlinearRod::Instant at{end.temperature,
+                                   full.temperature_rate,
+                                   end.displacement,
+                                   full.velocity};
+    auto tangents = std::make_unique<const ThermoviscoelasticOperator<dim>>(
+      body.equations, body.nonlinear->tangents(at));
+    body.nonlinear->subtract(at, heat, momentum);
+    const auto add_product = [&](const double                           sign,
+                                 const ThermoviscoelasticOperator<dim> &by) {
+      by.product(stage_coefficients(tau),
+                 stage.temperature_rate,
+                 stage.velocity,
+                 heat_product,
+                 momentum_product);
+      heat.add(sign, heat_product);
+      if (body.scene.fields.has_displacement)
+        momentum.add(sign / tau, momentum_product);
+    };
+    add_product(1., *tangents);
+    add_product(-1., body.equations);
+    linear.set_equations(std::move(tangents));
+  }
+
+
+
+  template <int dim>
+  double
+  NewtonStage<dim>::change(const double      tau,
+                           const State      &known,
+                           const StageRates &stage) const
+  {
+    const auto part =
+      [tau](const Vector &values, const Vector &rate, const Vector &last) {
+        double largest = 0., size = 0.;
+        for (unsigned int i = 0; i < rate.locally_owned_size(); ++i)
+          {
+            const double moved = tau * rate.local_element(i);
+            largest =
+              std::max(largest, std::abs(moved - tau * last.local_element(i)));
+            size = std::max(
+              {size, std::abs(values.local_element(i)), std::abs(moved)});
+          }
+        return largest > 0. ? largest / size : 0.;
+      };
+    return std::max(part(known.temperature, stage.temperature_rate, last_rate),
+                    part(known.displacement, stage.velocity, last_velocity));
+  }
+
+
+
+  template <int dim>
+  void
+  NewtonStage<dim>::solve(const unsigned int i,
+                          const double       tau,
+                          const ContactMode  mode,
+                          DrivenStep<dim>   &driven,
+                          State             &known,
+                          Vector            &heat_load,
+                          Vector            &momentum_load,
+                          StageRates        &stage)
+  {
+    driven.constrain(i, {heat_load, momentum_load}, known);
+    set_zero(stage.temperature_rate);
+    set_equal(stage.velocity, known.velocity);
+    if (body.scene.fields.has_displacement)
+      body.equations.zero_constrained(Field::displacement, stage.velocity);
+    double last_change = 1.;
+    try
+      {
+        for (unsigned int n = 0; n < max_iterations; ++n)
+          {
+            set_end(i, tau, driven, known, stage);
+            set_equal(heat, heat_load);
+            set_equal(momentum, momentum_load);
+            linearize(tau, stage);
+            set_equal(last_rate, stage.temperature_rate);
+            set_equal(last_velocity, stage.velocity);
+            const auto loads = driven.constrain(i, {heat, momentum}, known);
+            linear.solve(known, tau, loads.heat, loads.momentum, mode, stage);
+            if (!stage.failure.empty())
+              return;
+            const double now = change(tau, known, stage);
+            // the next change is smaller by as much as this one at least
+            if (now * std::min(1., now / last_change) <=
+                Tolerances::rounding_of_sum)
+              {
+                set_end(i, tau, driven, known, stage);
+                body.nonlinear->subtract({end.temperature,
+                                          full.temperature_rate,
+                                          end.displacement,
+                                          full.velocity},
+                                         heat_load,
+                                         momentum_load);
+                return;
+              }
+            last_change = now;
+          }
+        stage.failure =
+          text("coefficients of the temperature did not settle in ",
+               max_iterations,
+               " iterations of Newton's method");
+      }
+    catch (const InputError &error)
+      {
+        stage.failure = error.what();
+      }
+  }
+
+
+
+  template class NewtonStage<1>;
+  template class NewtonStage<2>;
+  template class NewtonStage<3>;
+} // namespace ThermoContact
