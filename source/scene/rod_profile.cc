@@ -150,7 +150,10 @@ namespace ThermoContact
                             may_be_zero     ? "numbers from 0 on" :
                                               "positive numbers",
                             "\n  remedy:  an expression that has them in the "
-                            "whole rod"));
+                            "whole rod",
+                            expression->depends_on("theta") ?
+                              ", at all of its temperatures" :
+                              ""));
     return result;
   }
 

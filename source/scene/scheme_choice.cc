@@ -269,9 +269,11 @@ namespace ThermoContact
         return as_text("Dimension", parameters.dimension);
       for (const BodyParameters &body : parameters.row.bodies)
         if (!body.is_mass())
-          for (const Expression *one :
-               RodProfile(parameters, body).of_temperature())
-            return one->path() + ", which depends on theta";
+          {
+            const RodProfile profile(parameters, body);
+            if (const auto laws = profile.of_temperature(); !laws.empty())
+              return laws.front()->path() + ", which depends on theta";
+          }
       if (mesh.degree > 1)
         return as_text("Mesh/Degree", mesh.degree);
       if (mesh.grading != 1.)
