@@ -137,15 +137,15 @@ namespace ThermoContact
 
 
 
-    /** Whether the entry is there, in another section. */
+    /** Whether the entry is there, in one other section. */
     bool
-    is_in_other_section(const std::string              &path,
-                        const std::vector<std::string> &known)
+    is_in_one_section(const std::string              &path,
+                      const std::vector<std::string> &known)
     {
-      return std::any_of(
-        known.begin(), known.end(), [&path](const std::string &other) {
-          return edit_distance(name_of(path), name_of(other)) == 0;
-        });
+      return std::count_if(
+               known.begin(), known.end(), [&path](const std::string &other) {
+                 return edit_distance(name_of(path), name_of(other)) == 0;
+               }) == 1;
     }
   } // namespace
 
@@ -219,7 +219,7 @@ namespace ThermoContact
     const std::string near =
       other.empty() ? nearest(assignment.path, paths) : other;
     const std::string answer =
-      !other.empty() || is_in_other_section(assignment.path, paths) ?
+      !other.empty() || is_in_one_section(assignment.path, paths) ?
         "" :
         scope_answer(name_of(assignment.path));
     if (near.empty() && answer.empty())
