@@ -395,6 +395,49 @@ namespace ThermoContact
 
 
 
+    /**
+     * Length of the layer in which viscosity spreads the pressure of the
+     * hardest linear obstacle, (D7.3); infinite: there is none.
+     */
+    double
+    length_of_layer(const Parameters &parameters)
+    {
+      double shortest = infinity;
+      for (const auto &law : parameters.contact.make_laws())
+        if (law->is_active() && law->is_linear() && law->tangent(0.) > 0.)
+          shortest = std::min(shortest,
+                              layer_of_impact(parameters.model.inertia,
+                                              parameters.model.viscosity,
+                                              law->tangent(0.)));
+      return shortest;
+    }
+
+
+
+    /**
+     * Whether waves that viscosity smooths leave a layer at their impact in
+     * which the default mesh, where cells and degree are automatic, has too few
+     * nodes.
+     */
+    bool
+    has_thin_layer(const Parameters &parameters)
+    {
+      MeshParameters mesh = parameters.mesh;
+      if (mesh.cells > 0 || mesh.degree > 0 ||
+          !(parameters.model.inertia > 0.) ||
+          parameters.model.fields == "temperature" ||
+          parameters.boundary.right.mass > 0.)
+        return false;
+      mesh.cells  = MeshParameters::cells_by_default;
+      mesh.degree = MeshParameters::degree_by_default;
+      return length_of_diffusion(parameters.model) >=
+               Tolerances::nodes_of_front * spacing(mesh) &&
+             nodes_of_layer * mesh.contact_node_length() >
+               length_of_layer(parameters);
+    }
+
+
+
     unsigned int
     degree_for_fronts(const MeshParameters &mesh)
     {
@@ -442,11 +485,10 @@ namespace ThermoContact
       };
       const bool is_elastic =
         law->is_active() && law->is_linear() && law->tangent(0.) > 0.;
-      double of_layer = 0., of_compliance = infinity;
-      if (is_elastic)
-        of_layer =
-          tighter * nodes_of_layer * mesh.contact_node_length() /
-          layer_of_impact(model.inertia, model.viscosity, law->tangent(0.));
+      const double of_layer = tighter * nodes_of_layer *
+                              mesh.contact_node_length() /
+                              length_of_layer(written);
+      double of_compliance = infinity;
       if (is_elastic && written.contact.massless_nodes != "off" &&
           !has_jumps(written))
         of_compliance = cells_for(nodes_of_compliance, law->tangent(0.));
@@ -693,10 +735,16 @@ namespace ThermoContact
       return choose_scheme_of_row(written);
     if (written.time.scheme != automatic_scheme)
       return with_scheme(written, scheme(written.time.scheme), "");
-    const std::string reason = reason_for_default(written);
+    const std::string  reason = reason_for_default(written);
+    const unsigned int cells =
+      reason.empty() || has_thin_layer(written) ? cells_of_fronts(written) : 0;
     if (!reason.empty())
-      return with_scheme(written, default_scheme(), reason);
-    const unsigned int cells = cells_of_fronts(written);
+      return with_scheme(written,
+                         default_scheme(),
+                         cells > 0 ?
+                           "its mesh resolves the layer of an impact" :
+                           reason,
+                         cells);
     if (cells > 0 &&
         (written.mesh.cells == 0 ||
          std::ldexp(written.mesh.cells, written.mesh.refinements) >= cells))

@@ -21,7 +21,14 @@
 //    twice that: 1e-5 needs l = 7.07e-4, 206, more than 160; 0.003 at
 //    a tolerance of 1e-3 18.3 -> 19, more than 16. At 1e-7
 //    n is 100^(1/8) = 1.78 times as much: 0.01 has 17.8 -> 18. Fewer cells than
-//    n that are given are those of box, too. Without an obstacle fronts are
+//    n that are given are those of box, too. Where waves are smooth, n is for
+//    layers l below 10.5 of the lengths 1/(8 4 5) of the default mesh, 0.0656,
+//    with zeta = 0.2 below eps = (l^6/(zeta^2 (l^2 + zeta^2)))^(1/2) = 0.00671:
+//    0.0066 has 2.24 -> 3; zeta = 0.1, eps = 0.005: t = 0.0142, l = 0.0377,
+//    3.87 -> 4, at 1e-7 6.9 -> 7; zeta = 0.2, eps = 1e-4: t = 0.00126, l =
+//    0.0159, 9.2 -> 10; 1e-9: l = 3.4e-4, 427, more than 160: the default mesh,
+//    as on a power law, below a mass, and beside cells or a degree that are
+//    given. Without an obstacle fronts are
 //    made by a traction that jumps in the run or at its start (where u_x - a
 //    theta is not the traction), by the velocity of the fixed end, and by
 //    initial values that jump, but not by inputs that bend or begin like t^2.
@@ -148,10 +155,23 @@ main_automatic_scheme()
   initlog();
 
   choose("default", {});
-  choose("zeta 0.0626", {"Model/Viscosity=0.0626"});
-  choose("zeta 0.0624", {"Model/Viscosity=0.0624"});
-  choose("b 16, zeta 0.251", {"Model/Inertia=16", "Model/Viscosity=0.251"});
-  choose("b 16, zeta 0.249", {"Model/Inertia=16", "Model/Viscosity=0.249"});
+  const Overrides rigid = {"Contact/Condition=rigid"};
+  choose("zeta 0.0626", rigid + Overrides{"Model/Viscosity=0.0626"});
+  choose("zeta 0.0624", rigid + Overrides{"Model/Viscosity=0.0624"});
+  const Overrides heavy = rigid + Overrides{"Model/Inertia=16"};
+  choose("b 16, zeta 0.251", heavy + Overrides{"Model/Viscosity=0.251"});
+  choose("b 16, zeta 0.249", heavy + Overrides{"Model/Viscosity=0.249"});
+  choose("eps 0.0068", {"Contact/Compliance=0.0068"});
+  choose("eps 0.0066", {"Contact/Compliance=0.0066"});
+  const Overrides hard = {"Model/Viscosity=0.1", "Contact/Compliance=0.005"};
+  choose("hard", hard);
+  choose("hard, tolerance 1e-7", hard + Overrides{"Time/Tolerance=1e-7"});
+  choose("hard, 12 cells", hard + Overrides{"Mesh/Cells=12"});
+  choose("hard, degree 5", hard + Overrides{"Mesh/Degree=5"});
+  choose("hard, a mass", hard + Overrides{"Boundary/right/Mass=1"});
+  choose("hard, a power law", hard + Overrides{"Contact/Condition=power law"});
+  choose("harder", {"Contact/Compliance=1e-4"});
+  choose("hardest", {"Contact/Compliance=1e-9"});
   const Overrides weak = {"Model/Viscosity=0.01", "Contact/Compliance=0.05"};
   choose("zeta 0.01", weak);
   choose("zeta 0.01, degree 3", weak + Overrides{"Mesh/Degree=3"});

@@ -13,12 +13,14 @@
 //        with the velocity 3/2 - 2 = -1/2.
 // 2. The largest force of the default scene on hard obstacles, eps = 1e-3, 1e-4
 //    and 1e-7, is that of viscosity within (D7.3), t = 5.9e-3, 1.26e-3 and
-//    1.3e-5, which reaches sqrt(zeta t) = 0.034, 0.016 and 0.0016 far; the node
-//    of the end stands for 1/160: a warning of the last one, and none of the
-//    others, also with Mesh/Grading = 1e4. The forces against those of 16 cells
-//    of degree 8 with that grading, 5.609 and 11.694, from which follows 117,
-//    in proportion to eps^(-1/3): to 1 % where there is no warning, off by more
-//    than 20 % where there is one.
+//    1.3e-5, which reaches sqrt(zeta t) = 0.034, 0.016 and 0.0016 far; with 8
+//    cells of degree 4 the node of the end stands for 1/160: a warning of the
+//    last one, and none of the others, also with Mesh/Grading = 1e4. The forces
+//    against those of 16 cells of degree 8 with that grading and the tolerance
+//    1e-8, 5.61045, 11.7309 and 116.365 (the same to six digits with 48 and 96
+//    cells of degree 10): to 1 % where there is no warning, off by more than
+//    20 % where there is one; automatic cells to 1e-4, as their node has 10.5
+//    of its lengths in that layer (measured 7e-6).
 // 3. A thermal switch with mass whose contact node is static, so that its
 //    velocity jumps where contact begins and ends. The row of an event has the
 //    velocity behind it, with the heat that k(gap, pressure) conducts: it and
@@ -35,6 +37,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "../recorded_run.h"
 
@@ -81,11 +84,13 @@ namespace
   void
   check_peak(const std::string &compliance,
              const double       fine,
+             const std::string &cells,
              const std::string &grading)
   {
     Simulation<1> simulation(read_parameters("",
                                              {"Contact/Compliance=" +
                                                 compliance,
+                                              "Mesh/Cells=" + cells,
                                               "Mesh/Grading=" + grading,
                                               "Time/End time=0.5"}),
                              MPI_COMM_SELF);
@@ -97,10 +102,11 @@ namespace
       });
     const double error =
       std::abs(simulation.history().max_contact_force / fine - 1.);
-    deallog << "compliance " << compliance << ", grading " << grading
-            << ": warnings " << n_warnings << ", ";
+    deallog << "compliance " << compliance << ", cells " << cells
+            << ", grading " << grading << ": warnings " << n_warnings << ", ";
     if (n_warnings == 0)
-      deallog << "error of the force " << within(error, 0.01) << std::endl;
+      deallog << "error of the force "
+              << within(error, cells == "8" ? 0.01 : 1e-4) << std::endl;
     else
       deallog << "a fifth over the error of the force "
               << within(0.2 / error, 1.) << std::endl;
@@ -177,11 +183,15 @@ main_obstacle_kinks()
   initlog();
   check_kink("faster towards the rod", "-0.5", -0.5, 0.4);
   check_kink("away faster than the rod follows", "2", 1.5, 0.);
-  check_peak("1e-3", 5.609, "1");
-  check_peak("1e-4", 11.694, "1");
-  check_peak("1e-7", 117., "1");
-  check_peak("1e-3", 5.609, "1e4");
-  check_peak("1e-4", 11.694, "1e4");
+  for (const auto &[compliance, fine] : {std::pair("1e-3", 5.61045),
+                                         std::pair("1e-4", 11.7309),
+                                         std::pair("1e-7", 116.365)})
+    {
+      check_peak(compliance, fine, "8", "1");
+      check_peak(compliance, fine, "automatic", "1");
+    }
+  check_peak("1e-3", 5.61045, "8", "1e4");
+  check_peak("1e-4", 11.7309, "8", "1e4");
   check_velocities_behind_events();
   check_touch();
 }
