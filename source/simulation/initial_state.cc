@@ -10,6 +10,8 @@
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/node_laws.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -96,6 +98,45 @@ namespace ThermoContact
             units.text("temperature", body.scene.heat.fixed_end_temperature) +
             " at the fixed end",
         ": a corner layer starts there"));
+    }
+
+
+
+    /**
+     * The cells of a scheme whose velocities are means of cells, (C6.13), have
+     * those of the initial velocity, which may jump; the right end of a rod
+     * has its value.
+     */
+    void
+    set_means_of_cells(const Body<1> &body, Vector &velocity)
+    {
+      const Scene        &scene     = body.scene;
+      const unsigned int  component = scene.fields.has_temperature ? 1 : 0;
+      const QGauss<1>     rule(8);
+      std::vector<double> means;
+      for (const auto &cell :
+           body.discretization.dof_handler().active_cell_iterators())
+        {
+          double mean = 0.;
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            mean += rule.weight(q) *
+                    body.data.initial_velocity->value(
+                      cell->vertex(0) +
+                        rule.point(q)[0] * (cell->vertex(1) - cell->vertex(0)),
+                      component);
+          means.push_back(mean);
+        }
+      double *const v       = velocity.begin();
+      const auto    set_rod = [&](const unsigned int first,
+                               const unsigned int last) {
+        for (unsigned int i = last; i-- > first;)
+          v[i] = 2. * means[i] - v[i + 1];
+      };
+      if (!scene.row.is_given())
+        set_rod(0, means.size());
+      for (const RowBody &rod : scene.row.bodies)
+        if (rod.n_cells > 0)
+          set_rod(rod.first_cell, rod.first_cell + rod.n_cells);
     }
 
 
@@ -325,6 +366,9 @@ namespace ThermoContact
     }
     discretization.set_zero_in_gaps(state);
     check_values(body, state, warnings);
+    if constexpr (dim == 1)
+      if (body.scene.has_midpoint_mass)
+        set_means_of_cells(body, state.velocity);
     check_overlap(body, state);
     stay_before_obstacle(body, state);
     check_penetration(body, first_step_size, state);

@@ -16,10 +16,12 @@
 // one U = G until s = 1. Then the rod is free, U' = V, and from s = 2 on
 // U(s) = U(2) + A(s - 2) - 2 U(s - 2).
 //
-// 1. u(1) at all step ends, 200 cells: error at most 2e-4 (a prototype in
-// numpy:
-//    at most 1.1e-4), and its order from 200 to 400 cells at least 1.8; b =
-//    0.01, 1, 4; eps = 0.1, 0.01, 1e-6 and rigid.
+// 1. u(1) at all step ends, 200 cells, b = 0.01, 1, 4: exact on a rigid
+//    obstacle, as the scheme passes means of cells on, with which it starts:
+//    1e-12, rounding of 600 steps. On one of eps = 1e-6, which the mesh does
+//    not resolve, within its largest penetration, eps 3 b^(1/2). For eps = 0.1
+//    and 0.01 error at most 2e-4 (a prototype in numpy: at most 1.1e-4), and
+//    its order from 200 to 400 cells at least 1.8.
 // 2. The pressure is the discrete gradient where eps >= h/2: the energy is that
 //    of the start to 1e-12. Elsewhere it never grows by more than that in a
 //    step. 100, 200, 400 cells: what rounding does to the state in each of 3 *
@@ -195,12 +197,17 @@ namespace
     const Result fine        = run(400, inertia, compliance);
     const double order       = std::log2(middle.error / fine.error);
     const bool   is_gradient = compliance >= 0.5 / 100.;
+    const double bound       = compliance == 0. ? 1e-12 :
+                               is_gradient      ? 2e-4 :
+                                             3. * std::sqrt(inertia) * compliance;
     double       energy      = 0.;
     for (const Result &result : {coarse, middle, fine})
       raise(energy, is_gradient ? result.change : result.growth);
     deallog << "b = " << inertia << ", compliance " << compliance << ": u(1) "
-            << within(middle.error, 2e-4) << ", order 1.8 " << (order >= 1.8)
-            << (is_gradient ? ", energy kept " : ", no growth ")
+            << within(middle.error, bound);
+    if (is_gradient)
+      deallog << ", order 1.8 " << (order >= 1.8);
+    deallog << (is_gradient ? ", energy kept " : ", no growth ")
             << within(energy, 1e-12) << ", warnings " << middle.n_warnings
             << std::endl;
   }
