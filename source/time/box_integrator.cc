@@ -416,8 +416,19 @@ namespace ThermoContact
 
 
 
+  double
+  BoxIntegrator::rounding_of_velocity(const State &state) const
+  {
+    return Tolerances::rounding_of_fronts * rates.velocity.linfty_norm() +
+           Tolerances::rounding_of_solution * state.displacement.linfty_norm() /
+             present.size;
+  }
+
+
+
   void
   BoxIntegrator::finish_node(const unsigned int c,
+                             const State       &state,
                              const EndValues   &values,
                              EndContact        &end) const
   {
@@ -444,7 +455,10 @@ namespace ThermoContact
         const auto &next = end.releases.next;
         end.stopping =
           impedance * (next ? side * next->before : arriving - rate);
-        end.end_pressure = side * end.stopping > 0. ? end.stopping : 0.;
+        end.end_pressure =
+          side * end.stopping > impedance * rounding_of_velocity(state) ?
+            end.stopping :
+            0.;
       }
     if (law.is_damped() && contact.end_pressure != 0.)
       {
@@ -571,7 +585,8 @@ namespace ThermoContact
           now->side * now->part * now->before / path.response;
         const double velocity = path.free_velocity - path.response * pressure;
         if (std::max(path.front + size * (velocity - path.front_rate),
-                     path.rear - size * velocity) > 0.)
+                     path.rear - size * velocity) >
+            size * rounding_of_velocity(state))
           now.reset(); // it meets the other obstacle at once
         else
           {
@@ -587,7 +602,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n && flows; ++i)
       end.end_excess -= end.flux[i] * by_flux[i].temperature.back();
     if (!end.masses)
-      finish_node(c, values, end);
+      finish_node(c, state, values, end);
     return end;
   }
 
@@ -963,7 +978,7 @@ namespace ThermoContact
       const double before = coming[now - 1], after = coming[now + 1];
       const double jump     = before - after;
       const double rounding = Tolerances::rounding_of_fronts * jump;
-      if (std::min(before, 0. - after) > Tolerances::rounding_of_data * jump &&
+      if (before > Tolerances::rounding_of_data * jump && after <= rounding &&
           around(now) < 0.5 * jump && coming[now] <= before + rounding &&
           coming[now] >= after - rounding)
         return Release{side,
@@ -1037,15 +1052,20 @@ namespace ThermoContact
         end.end_velocity - (side > 0 ? obstacle.gap_rate[c] : 0.);
     if (end.masses)
       return at(end.masses->change_time / path.size, 0.);
-    const double velocity = velocity_of(c, state);
-    // where the mean velocity of the step takes it to the surface; its
-    // velocity there, if it changes steadily up to the next step
-    const auto at_surface = [&](const double mean) {
-      const double part = -start / (path.size * side * mean);
-      const double first =
-        2. * (mean - velocity + (side > 0 ? state.gap_rate[c] : 0.));
+    // what arrives, without the pressure that the end has had
+    const double velocity = velocity_of(c, state) +
+                            state.contact_pressure[c] / contact.impedance -
+                            (side > 0 ? state.gap_rate[c] : 0.);
+    // where the mean velocity of the step takes it to the surface; what arrives
+    // there, if that changes steadily up to the next step
+    const auto at_surface = [&](const double way) {
+      const double part = -start / (path.size * side * way);
+      if (!has_waves)
+        return at(part, way);
+      const double mean   = end.free_velocity - rate;
+      const double first  = 2. * (mean - velocity);
       const double second = leaving - mean;
-      const double change = !has_waves || first * second < 0.  ? 0. :
+      const double change = first * second < 0.                ? 0. :
                             std::abs(first) < std::abs(second) ? first :
                                                                  second;
       return at(part, mean + (part - 0.5) * change);

@@ -27,14 +27,16 @@
 // 6. Viscous rods, zeta = 1e-3, 0.05 and 1: order 2 of u(1) on a Hertzian stop,
 //    from 100, 200 and 400 cells. The energy does not grow.
 // 7. Events. A rod that is let go at -x/2: meets a stop at 0 at t = 1 with 1/2,
-//    leaves at t = 2 with -1/2. A rod on a stop whose fixed end starts to move:
-//    no pressure before t = 1, then 0.02. A rod that falls on a stop, force 1,
-//    gap 0.3, 400 cells: begins at 0.6^(1/2), 4 - 0.8^(1/2), 6 - 0.2^(1/2), 8 +
-//    0.4^(1/2), 11, impulse 3.3 (box_bars.cc derives them). All waves are
-//    linear between fronts, and releases by these are located in a step: what
-//    is left is of order h^2 = 6e-6 in each of a dozen reflections, 1e-4. The
-//    peak 1 is that of a triangle with slopes 1 and -1 whose means over steps
-//    are half a step lower, 1.25e-3.
+//    leaves at t = 2 with -1/2, a spring later with the same, as that is what
+//    arrives until t = 3. The half x > 1/2 of a rod moves with 1: it presses
+//    with 1 until t = 1/2, then with nothing. A rod on a stop whose fixed end
+//    starts to move: no pressure before t = 1, then 0.02. A rod that falls on a
+//    stop, force 1, gap 0.3, 400 cells: begins at 0.6^(1/2), 4 - 0.8^(1/2), 6 -
+//    0.2^(1/2), 8 + 0.4^(1/2), 11, impulse 3.3 (box_bars.cc derives them). All
+//    waves are linear between fronts, and releases by these are located in a
+//    step: what is left is of order h^2 = 6e-6 in each of a dozen reflections,
+//    1e-4. The peak 1 is that of a triangle with slopes 1 and -1 whose means
+//    over steps are half a step lower, 1.25e-3.
 // 8. The massless node of sdirk4 has no velocity when it leaves: no
 //    restitution.
 // 9. Heat of a rod whose fixed end jumps by 1, a = 0.5, zeta = 0.1, k of gap
@@ -381,10 +383,36 @@ main_box_laws()
             << within(std::abs(r.events[1].velocity + 0.5), 1e-12)
             << ", restitution " << within(std::abs(r.restitution - 1.), 1e-12)
             << std::endl;
+    for (const unsigned int cells : {64, 200})
+      deallog << "let go on a spring, " << cells << " cells: restitution "
+              << within(std::abs(
+                          run_box(cells,
+                                  1.,
+                                  2.9,
+                                  let_go + Entries{"Contact/Condition=normal "
+                                                   "compliance",
+                                                   "Contact/Compliance=0.01"})
+                            .restitution -
+                          1.),
+                        1e-11)
+              << std::endl;
     const Run massless = run(let_go + Entries{"Time/Scheme=sdirk4",
                                               "Time/End time=2.9",
                                               "Time/Tolerance=1e-3"});
     deallog << "sdirk4: no restitution " << std::isnan(massless.restitution)
+            << std::endl;
+  }
+  {
+    const Run r = run_box(200,
+                          1.,
+                          2.5,
+                          rigid + Entries{"Contact/Gap=0",
+                                          "Initial values/Velocity=if(x>0.5, "
+                                          "1, 0)"});
+    deallog << "half a rod: events " << r.events.size() << ", the last at "
+            << within(std::abs(r.events.back().time - 0.5), 1e-12)
+            << ", impulse "
+            << within(std::abs(r.rows.back().contact_impulse - 0.5), 1e-12)
             << std::endl;
   }
   {

@@ -239,9 +239,14 @@ namespace ThermoContact
     double
     velocity_of(const unsigned int c, const State &state) const;
 
+    /** Velocities that the rounding of waves and displacements makes. */
+    double
+    rounding_of_velocity(const State &state) const;
+
     /** Pressure and velocity of the node at the end of the step, (C6.13). */
     void
     finish_node(const unsigned int c,
+                const State       &state,
                 const EndValues   &values,
                 EndContact        &end) const;
 
