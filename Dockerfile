@@ -1,16 +1,16 @@
 # docker build -t thermocontact .
 # docker run --rm -v "$PWD":/work thermocontact FILE.prm
 #
-# Runs on any x86-64: of two programs the container takes the one with AVX2 and FMA
-# instructions where the processor has them.
+# Runs on any x86-64: of three programs the container takes the one with the widest
+# instructions, AVX-512, AVX2 or neither, that the processor has.
 FROM debian:13
 COPY . /thermocontact
 WORKDIR /thermocontact
 RUN scripts/install_packages python3-matplotlib && \
-    for avx2 in OFF ON; do \
-      cmake -S . -B build/avx2-$avx2 -DCMAKE_BUILD_TYPE=Release -DTHERMOCONTACT_AVX2=$avx2 && \
-      cmake --build build/avx2-$avx2 --target thermocontact -j"$(nproc)" || exit 1; \
+    for bytes in 16 32 64; do \
+      cmake -S . -B build/$bytes -DCMAKE_BUILD_TYPE=Release -DTHERMOCONTACT_LANE_BYTES=$bytes && \
+      cmake --build build/$bytes --target thermocontact -j"$(nproc)" || exit 1; \
     done && \
-    rm -rf build/avx2-*/CMakeFiles build/avx2-*/*.a
+    rm -rf build/*/CMakeFiles build/*/*.a
 WORKDIR /work
-ENTRYPOINT ["/bin/sh", "-c", "case $(grep -m 1 ^flags /proc/cpuinfo) in *\" avx2 \"*) avx2=ON ;; *) avx2=OFF ;; esac; exec /thermocontact/build/avx2-$avx2/thermocontact \"$@\"", "thermocontact"]
+ENTRYPOINT ["/bin/sh", "-c", "bytes=16; grep -qw avx2 /proc/cpuinfo && bytes=32; grep -qw avx512vl /proc/cpuinfo && bytes=64; exec /thermocontact/build/$bytes/thermocontact \"$@\"", "thermocontact"]

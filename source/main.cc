@@ -143,11 +143,15 @@ namespace ThermoContact
     check_processor()
     {
 #if THERMOCONTACT_LANE_BYTES > 16
-      if (!__builtin_cpu_supports("avx2"))
+      const bool  wide         = THERMOCONTACT_LANE_BYTES > 32;
+      const char *instructions = wide ? "AVX-512" : "AVX2";
+      if (!(wide ? __builtin_cpu_supports("avx512vl") :
+                   __builtin_cpu_supports("avx2")))
         throw ComputationError(
-          "this program was compiled for a processor with AVX2 instructions, "
-          "and this one has none\n  remedy:  build it here, or with cmake "
-          "-DTHERMOCONTACT_AVX2=OFF");
+          "this program was compiled for a processor with " +
+          std::string(instructions) +
+          " instructions, and this one has none\n  remedy:  build it here, or "
+          "with cmake -DTHERMOCONTACT_LANE_BYTES=16");
 #endif
     }
 
