@@ -94,7 +94,7 @@ namespace ThermoContact
           const unsigned int                                          column,
           const double                                                factor,
           const std::initializer_list<std::pair<unsigned int, Kind>> &kinds,
-          const Kind mass = nothing) {
+          const Kind                                                  mass) {
         std::array<Kind, dim> of;
         of.fill(op == laplacian ? mass_of_mesh : mass_of_all);
         for (const auto &[direction, kind] : kinds)
@@ -119,9 +119,9 @@ namespace ThermoContact
       {
         const Kind mass = c == 0 ? mass_of_all : nothing;
         add(heat, 0, 0, 1., {{c, gradients}}, mass);
-        add(laplacian, 0, 0, 1., {{c, gradients_of_mesh}});
-        add(divergence, 0, c, 1., {{c, dilatation}});
-        add(thermal_stress, c, 0, 1., {{c, of_test_dilatation}});
+        add(laplacian, 0, 0, 1., {{c, gradients_of_mesh}}, nothing);
+        add(divergence, 0, c, 1., {{c, dilatation}}, nothing);
+        add(thermal_stress, c, 0, 1., {{c, of_test_dilatation}}, nothing);
         add(
           momentum, c, c, 1., {{c, normal}}, c == 0 ? mass_of_axial : nothing);
         for (unsigned int d = 0; d < dim; ++d)
@@ -132,8 +132,9 @@ namespace ThermoContact
                   c,
                   d,
                   material.lambda,
-                  {{c, of_test_dilatation}, {d, dilatation}});
-              add(momentum, c, d, mu, {{c, gradient}, {d, of_test}});
+                  {{c, of_test_dilatation}, {d, dilatation}},
+                  nothing);
+              add(momentum, c, d, mu, {{c, gradient}, {d, of_test}}, nothing);
             }
       }
   }
