@@ -20,13 +20,22 @@
 // The node at the end of a rod at rest, four cells of degree 1, of stiffness 4,
 // follows a traction that rises for a moment, 0.001 min(t, 1e-6), with v =
 // 0.001/4 from the start, whatever the load does later, to 1e-12.
+//
+// A static elastic rod touches a rigid stop, and its other end jumps to
+// theta_A = 10 at t = 0: no heat has flowed, and the pressure of the first row
+// is 0, whatever the degree. At t = 0.01 the heat 2 theta_A sqrt(t/pi) is in
+// the rod, and the pressure is a times that, but for the part a^2 = 3e-4 of it
+// that the motion takes.
 
 #include <thermocontact/simulation/initial_state.h>
 #include <thermocontact/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "../tests.h"
 
@@ -136,6 +145,32 @@ namespace
       MPI_COMM_SELF);
     return simulation.record().velocity_end;
   }
+
+
+
+  /** Pressure at t = 0, and at 0.01 its relative error. */
+  std::array<double, 2>
+  pressure_of_heated_end(const unsigned int degree)
+  {
+    std::vector<double> forces;
+    Simulation<1>       simulation(read_parameters("",
+                                             {"Model/Inertia=0",
+                                                    "Model/Viscosity=0",
+                                                    "Contact/Condition=rigid",
+                                                    "Contact/Gap=0",
+                                                    "Initial values/Temperature=0",
+                                                    "Initial values/Displacement=0",
+                                                    "Mesh/Degree=" +
+                                                      std::to_string(degree),
+                                                    "Time/End time=0.01"}),
+                             MPI_COMM_SELF);
+    simulation.run({[&](const Simulation<1> &s) {
+      forces.push_back(s.record().contact_force);
+    }});
+    const double exact = simulation.body().scene.material.thermal_stress * 20. *
+                         std::sqrt(0.01 / numbers::PI);
+    return {{forces.front(), std::abs(forces.back() / exact - 1.)}};
+  }
 } // namespace
 
 
@@ -159,4 +194,11 @@ main_initial_equilibrium()
   deallog << "velocity under a load that rises for a moment "
           << within(std::abs(velocity_under_short_rise() / 0.00025 - 1.), 1e-12)
           << std::endl;
+  for (const unsigned int degree : {4, 8, 16})
+    {
+      const auto [at_first, error] = pressure_of_heated_end(degree);
+      deallog << "heated end, degree " << degree << ": pressure at first "
+              << within(std::abs(at_first), 1e-12) << ", later "
+              << within(error, 2e-3) << std::endl;
+    }
 }
