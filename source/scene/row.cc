@@ -66,14 +66,42 @@ namespace ThermoContact
     if (cells[number].varies || theta == 0.)
       return cells[number].varies ? of_rod(number, x, theta) :
                                     cells[number].whole;
-    RodCoefficients       result = cells[number].whole;
-    const RodCoefficients now    = of_rod(number, x, theta),
-                          zero   = of_rod(number, x);
+    RodCoefficients result = cells[number].whole;
+    const auto      beyond =
+      beyond_zero(number, {of_rod(number, x, theta), {}}, of_rod(number, x))
+        .value;
     // what the stress is made of
-    result.coupling += now.coupling - zero.coupling;
-    result.stiffness += now.stiffness - zero.stiffness;
-    result.viscosity += now.viscosity - zero.viscosity;
+    result.coupling += beyond.coupling;
+    result.stiffness += beyond.stiffness;
+    result.viscosity += beyond.viscosity;
     return result;
+  }
+
+
+
+  RodTangents
+  BodyRow::beyond_zero(const unsigned int     cell,
+                       const RodTangents     &at_theta,
+                       const RodCoefficients &at_zero) const
+  {
+    RodTangents            beyond = at_theta;
+    const RodCoefficients &whole  = cells[cell].whole;
+    for (const auto part : {&RodCoefficients::heat_mass,
+                            &RodCoefficients::conduction,
+                            &RodCoefficients::coupling,
+                            &RodCoefficients::stiffness,
+                            &RodCoefficients::viscosity})
+      {
+        beyond.value.*part -= at_zero.*part;
+        const bool is_in_series = part != &RodCoefficients::heat_mass &&
+                                  part != &RodCoefficients::coupling;
+        if (is_in_series && !cells[cell].varies && at_zero.*part != 0.)
+          {
+            beyond.value.*part *= whole.*part / (at_zero.*part);
+            beyond.slope.*part *= whole.*part / (at_zero.*part);
+          }
+      }
+    return beyond;
   }
 
 

@@ -426,7 +426,8 @@ namespace ThermoContact
       if (mesh.cells > 0 || mesh.degree > 0 ||
           !(parameters.model.inertia > 0.) ||
           parameters.model.fields == "temperature" ||
-          parameters.boundary.right.mass > 0.)
+          parameters.boundary.right.mass > 0. ||
+          !parameters.boundary.right.meets_obstacle())
         return false;
       mesh.cells  = MeshParameters::cells_by_default;
       mesh.degree = MeshParameters::degree_by_default;

@@ -134,9 +134,11 @@ namespace ThermoContact
       };
       if (!scene.row.is_given())
         set_rod(0, means.size());
-      for (const RowBody &rod : scene.row.bodies)
-        if (rod.n_cells > 0)
-          set_rod(rod.first_cell, rod.first_cell + rod.n_cells);
+      // from the right: bonded rods share a node, which the right one sets
+      const std::vector<RowBody> &bodies = scene.row.bodies;
+      for (auto rod = bodies.rbegin(); rod != bodies.rend(); ++rod)
+        if (rod->n_cells > 0)
+          set_rod(rod->first_cell, rod->first_cell + rod->n_cells);
     }
 
 

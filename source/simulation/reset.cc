@@ -12,6 +12,12 @@ namespace ThermoContact
 {
   namespace
   {
+    /** Of a static body that is moved at once, whose coefficients depend on the
+     * temperature. */
+    constexpr unsigned int max_iterations_of_heating = 30;
+
+
+
     /** The given nodes, else all nodes that do not lie before the obstacle.
      */
     template <int dim>
@@ -148,11 +154,15 @@ namespace ThermoContact
   Reset<dim>::work_of(State &state, const Motion &move) const
   {
     Vector change(state.displacement);
+    Vector of_laws = forces_of_laws(state, nullptr);
     move();
     change.sadd(-1., 1., state.displacement);
+    of_laws += forces_of_laws(state, nullptr);
     return body.energy.work_of_motion(momentum_load(state.load_time),
                                       state,
-                                      change);
+                                      change) +
+           0.5 * (of_laws * change) /
+             body.discretization.geometry().cross_section();
   }
 
 
@@ -171,6 +181,25 @@ namespace ThermoContact
 
   template <int dim>
   Vector
+  Reset<dim>::forces_of_laws(const State &state, const Vector *velocity) const
+  {
+    Vector       forces = body.discretization.make_vector(Field::displacement);
+    Vector       unused = body.discretization.make_vector(Field::temperature);
+    const Vector none;
+    if (body.nonlinear)
+      body.nonlinear->subtract({state.temperature,
+                                none,
+                                state.displacement,
+                                velocity != nullptr ? *velocity : none},
+                               unused,
+                               forces);
+    return forces;
+  }
+
+
+
+  template <int dim>
+  Vector
   Reset<dim>::forces(const State  &state,
                      const Vector &momentum_load,
                      const Vector *velocity) const
@@ -179,16 +208,7 @@ namespace ThermoContact
     body.equations.momentum_residual(
       state, velocity, nullptr, momentum_load, forces);
     if (body.nonlinear)
-      {
-        Vector unused = body.discretization.make_vector(Field::temperature);
-        const Vector none;
-        body.nonlinear->subtract({state.temperature,
-                                  none,
-                                  state.displacement,
-                                  velocity != nullptr ? *velocity : none},
-                                 unused,
-                                 forces);
-      }
+      forces += forces_of_laws(state, velocity);
     body.equations.zero_constrained(Field::displacement, forces);
     return forces;
   }
@@ -452,22 +472,40 @@ namespace ThermoContact
   void
   Reset<dim>::move_static_body(State &state)
   {
-    Vector motion(state.displacement);
-    set_static_displacement(*at_once, state);
-    motion.sadd(-1., 1., state.displacement);
-    if (body.equations.is_coupled())
+    const Vector old_displacement(state.displacement);
+    const Vector start(state.temperature);
+    Vector       heat = body.discretization.make_vector(Field::temperature);
+    Vector       change(heat), last(heat);
+    for (unsigned int n = 0; n < max_iterations_of_heating; ++n)
       {
-        Vector heat = body.discretization.make_vector(Field::temperature);
-        Vector temperature(heat);
+        set_static_displacement(*at_once, state);
+        if (!body.equations.is_coupled())
+          break;
+        Vector motion(state.displacement);
+        motion -= old_displacement;
+        heat = 0.;
+        last = change;
+        if (body.nonlinear)
+          {
+            // heated with the coefficients in the middle of the way
+            State middle(state);
+            middle.temperature = start;
+            middle.temperature.add(0.5, change);
+            at_once->linearize(middle);
+          }
         at_once->equations().add_heating(motion, -1., heat);
         if (body.nonlinear)
           LinearSystem<dim>(at_once->equations(), heat_at_once)
-            .solve(temperature, heat);
+            .solve(change, heat);
         else
-          provide_heat_mass().solve(temperature, heat);
-        state.temperature += temperature;
-        if (body.nonlinear) // by the coefficients that it has then
-          set_static_displacement(*stiffness, state);
+          provide_heat_mass().solve(change, heat);
+        state.temperature = start;
+        state.temperature += change;
+        last -= change;
+        if (!body.nonlinear ||
+            last.linfty_norm() <= Tolerances::rounding_of_solution *
+                                    state.temperature.linfty_norm())
+          break;
       }
     state.velocity = 0.; // a motion at once has none
     set_exchange_of_law(body, state);

@@ -247,6 +247,10 @@ namespace ThermoContact
       {
         result.failure = error.what();
       }
+    catch (const InputError &error) // of a coefficient of the temperature
+      {
+        result.failure = error.what();
+      }
     result.agree(discretization().communicator());
   }
 

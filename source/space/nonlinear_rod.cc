@@ -17,21 +17,21 @@ namespace ThermoContact
 
   double
   added_stress(const Material        &material,
-               const RodCoefficients &now,
-               const RodCoefficients &zero,
+               const RodCoefficients &beyond,
                const double           theta,
                const double           strain,
                const double           strain_rate)
   {
-    return (now.stiffness - zero.stiffness) * strain +
-           material.viscosity * (now.viscosity - zero.viscosity) * strain_rate -
-           material.thermal_stress * (now.coupling - zero.coupling) * theta;
+    return beyond.stiffness * strain +
+           material.viscosity * beyond.viscosity * strain_rate -
+           material.thermal_stress * beyond.coupling * theta;
   }
 
 
 
   NonlinearRod::NonlinearRod(const Scene &scene, const RodMatrices &matrices)
     : fields(scene.fields)
+    , row(scene.row)
     , material(scene.material)
     , matrices(matrices)
   {
@@ -98,6 +98,7 @@ namespace ThermoContact
   void
   NonlinearRod::visit(const Cell    &cell,
                       const Instant &instant,
+                      const bool     with_slopes,
                       const AtMass  &at_mass,
                       const AtRest  &at_rest) const
   {
@@ -117,15 +118,20 @@ namespace ThermoContact
       for (unsigned int q = 0; q < all.size(); ++q)
         {
           const Point &point = all[q];
+          const double x     = cell.begin + point.place * cell.size;
+          const Local  local{sum(point.value, theta),
+                            sum(point.slope, theta) / cell.size,
+                            sum(point.value, rate),
+                            sum(point.slope, u) / cell.size,
+                            sum(point.slope, v) / cell.size};
+          const auto   now =
+            with_slopes ?
+                cell.profile->tangents(x, local.theta) :
+                RodTangents{cell.profile->at(x, local.theta), RodCoefficients()};
           at(point,
              point.weight * cell.size,
-             cell.begin + point.place * cell.size,
-             Local{sum(point.value, theta),
-                   sum(point.slope, theta) / cell.size,
-                   sum(point.value, rate),
-                   sum(point.slope, u) / cell.size,
-                   sum(point.slope, v) / cell.size},
-             at_zero[q]);
+             local,
+             row.beyond_zero(cell.number, now, at_zero[q]));
         }
     };
     visit_points(mass_points, cell.of_mass, at_mass);
@@ -144,31 +150,27 @@ namespace ThermoContact
       visit(
         cell,
         instant,
-        [&](const Point           &point,
-            const double           weight,
-            const double           x,
-            const Local           &at,
-            const RodCoefficients &zero) {
-          const double added =
-            cell.profile->at(x, at.theta).heat_mass - zero.heat_mass;
+        false,
+        [&](const Point       &point,
+            const double       weight,
+            const Local       &at,
+            const RodTangents &beyond) {
           for (unsigned int i = 0; i < layout.nodes_per_cell(); ++i)
             heat.begin()[layout.node(cell.number, i)] -=
-              weight * added * at.rate * point.value[i];
+              weight * beyond.value.heat_mass * at.rate * point.value[i];
         },
-        [&](const Point           &point,
-            const double           weight,
-            const double           x,
-            const Local           &at,
-            const RodCoefficients &zero) {
-          const RodCoefficients now      = cell.profile->at(x, at.theta);
-          const double          coupling = now.coupling - zero.coupling,
-                       source = material.heating * coupling * at.strain_rate,
-                       flux   = (now.conduction - zero.conduction) * at.theta_x,
-                       stress = (now.stiffness - zero.stiffness) * at.strain +
-                                material.viscosity *
-                                  (now.viscosity - zero.viscosity) *
-                                  at.strain_rate -
-                                material.thermal_stress * coupling * at.theta;
+        [&](const Point       &point,
+            const double       weight,
+            const Local       &at,
+            const RodTangents &beyond) {
+          const double source = material.heating * beyond.value.coupling *
+                                at.strain_rate,
+                       flux   = beyond.value.conduction * at.theta_x,
+                       stress = added_stress(material,
+                                             beyond.value,
+                                             at.theta,
+                                             at.strain,
+                                             at.strain_rate);
           for (unsigned int i = 0; i < layout.nodes_per_cell(); ++i)
             {
               const unsigned int node  = layout.node(cell.number, i);
@@ -209,12 +211,6 @@ namespace ThermoContact
           std::copy(of_run, of_run + n_cell, entries.data() + cell * n_cell);
           carries[cell] = run.carries;
         }
-    const auto tangents_at =
-      [with_slopes](const Cell &cell, const double x, const double theta) {
-        return with_slopes ?
-                 cell.profile->tangents(x, theta) :
-                 RodTangents{cell.profile->at(x, theta), RodCoefficients()};
-      };
     for (const Cell &cell : cells)
       {
         const auto add = [&](const Matrix               matrix,
@@ -230,33 +226,29 @@ namespace ThermoContact
         visit(
           cell,
           instant,
-          [&](const Point           &point,
-              const double           weight,
-              const double           x,
-              const Local           &at,
-              const RodCoefficients &zero) {
-            const RodTangents now = tangents_at(cell, x, at.theta);
+          with_slopes,
+          [&](const Point       &point,
+              const double       weight,
+              const Local       &at,
+              const RodTangents &beyond) {
             add(RodMatrices::heat_mass,
-                weight * (now.value.heat_mass - zero.heat_mass),
+                weight * beyond.value.heat_mass,
                 point.value,
                 point.value);
             add(RodMatrices::conduction,
-                weight * now.slope.heat_mass * at.rate,
+                weight * beyond.slope.heat_mass * at.rate,
                 point.value,
                 point.value);
           },
-          [&](const Point           &point,
-              const double           weight,
-              const double           x,
-              const Local           &at,
-              const RodCoefficients &zero) {
-            const RodTangents tangents   = cell.profile->tangents(x, at.theta);
-            const RodCoefficients &now   = tangents.value,
-                                  &slope = tangents.slope;
-            const double by_slope        = weight / cell.size;
-            const double by_slopes       = by_slope / cell.size;
+          [&](const Point       &point,
+              const double       weight,
+              const Local       &at,
+              const RodTangents &beyond) {
+            const RodCoefficients &value = beyond.value, &slope = beyond.slope;
+            const double           by_slope  = weight / cell.size;
+            const double           by_slopes = by_slope / cell.size;
             add(RodMatrices::conduction,
-                by_slopes * (now.conduction - zero.conduction),
+                by_slopes * value.conduction,
                 point.slope,
                 point.slope);
             add(RodMatrices::conduction,
@@ -269,24 +261,23 @@ namespace ThermoContact
                 point.value);
             if (!fields.has_displacement)
               return;
-            const double coupling = now.coupling - zero.coupling;
             add(RodMatrices::divergence,
-                by_slope * coupling,
+                by_slope * value.coupling,
                 point.value,
                 point.slope);
             add(RodMatrices::stiffness,
-                by_slopes * (now.stiffness - zero.stiffness),
+                by_slopes * value.stiffness,
                 point.slope,
                 point.slope);
             if (material.has_viscosity())
               add(RodMatrices::viscous_stiffness,
-                  by_slopes * (now.viscosity - zero.viscosity),
+                  by_slopes * value.viscosity,
                   point.slope,
                   point.slope);
             if (material.has_thermal_stress())
               add(RodMatrices::thermal_stress,
                   by_slope *
-                    (coupling + slope.coupling * at.theta -
+                    (value.coupling + slope.coupling * at.theta -
                      (slope.stiffness * at.strain +
                       material.viscosity * slope.viscosity * at.strain_rate) /
                        material.thermal_stress),

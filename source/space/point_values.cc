@@ -167,12 +167,16 @@ namespace ThermoContact
         const BodyRow &row   = discretization.row();
         const double   theta = at(state.temperature, one.value);
         values[stress * n_places + one.place] +=
-          one.weight * added_stress(scene.material,
-                                    row.of_rod(one.cell, one.x, theta),
-                                    row.of_rod(one.cell, one.x),
-                                    theta,
-                                    at(state.displacement, one.slope),
-                                    at(velocity, one.slope));
+          one.weight *
+          added_stress(scene.material,
+                       row
+                         .beyond_zero(one.cell,
+                                      {row.of_rod(one.cell, one.x, theta), {}},
+                                      row.of_rod(one.cell, one.x))
+                         .value,
+                       theta,
+                       at(state.displacement, one.slope),
+                       at(velocity, one.slope));
       }
   }
 

@@ -84,21 +84,37 @@ namespace ThermoContact
                            const State      &known,
                            const StageRates &stage) const
   {
-    const auto part =
-      [tau](const Vector &values, const Vector &rate, const Vector &last) {
-        double largest = 0., size = 0.;
-        for (unsigned int i = 0; i < rate.locally_owned_size(); ++i)
-          {
-            const double moved = tau * rate.local_element(i);
-            largest =
-              std::max(largest, std::abs(moved - tau * last.local_element(i)));
-            size = std::max(
-              {size, std::abs(values.local_element(i)), std::abs(moved)});
-          }
-        return largest > 0. ? largest / size : 0.;
-      };
-    return std::max(part(known.temperature, stage.temperature_rate, last_rate),
-                    part(known.displacement, stage.velocity, last_velocity));
+    struct Part
+    {
+      double change = 0., size = 0.;
+    };
+    const auto part = [tau](const Vector &values,
+                            const Vector &rate,
+                            const Vector &last) {
+      Part result;
+      for (unsigned int i = 0; i < rate.locally_owned_size(); ++i)
+        {
+          const double moved = tau * rate.local_element(i);
+          result.change =
+            std::max(result.change,
+                     std::abs(moved - tau * last.local_element(i)));
+          result.size = std::max(
+            {result.size, std::abs(values.local_element(i)), std::abs(moved)});
+        }
+      return result;
+    };
+    const Part heat =
+      part(known.temperature, stage.temperature_rate, last_rate);
+    const Part motion = part(known.displacement, stage.velocity, last_velocity);
+    // one that only the other could make may be rounding of that
+    const Material &material = body.scene.material;
+    const double    length   = body.scene.row.length();
+    const auto      over     = [](const Part &one, const double of_other) {
+      return one.change > 0. ? one.change / std::max(one.size, of_other) : 0.;
+    };
+    return std::max(
+      over(heat, std::abs(material.heating) * motion.size / length),
+      over(motion, std::abs(material.thermal_stress) * heat.size * length));
   }
 
 
@@ -157,7 +173,10 @@ namespace ThermoContact
       }
     catch (const InputError &error)
       {
-        stage.failure = error.what();
+        stage.failure =
+          text(error.what(),
+               "; where a mesh swings since an end jumps: Mesh/Degree = 1 with "
+               "Mesh/Mass matrix = lumped, or an end that changes in time");
       }
   }
 

@@ -108,6 +108,16 @@ namespace ThermoContact
            const double       x,
            const double       theta = 0.) const;
 
+    /**
+     * What the equations of a cell have beyond the coefficients at
+     * $\theta=0$, (M10.8): the difference at a place, where the cell has means
+     * of stiffnesses in series as a part of these.
+     */
+    RodTangents
+    beyond_zero(const unsigned int     cell,
+                const RodTangents     &at_theta,
+                const RodCoefficients &at_zero) const;
+
     /** The coefficients of a rod depend on its temperature. */
     bool
     depends_on_temperature() const;

@@ -215,6 +215,11 @@ namespace ThermoContact
     relative_velocities(const State                &state,
                         const std::vector<NodeLaw> &laws) const;
 
+    /** $-R_u$ of (M10.8), 0 of other bodies; @p velocity null: without viscous
+     * stress. */
+    Vector
+    forces_of_laws(const State &state, const Vector *velocity) const;
+
     /** Forces on a body by these loads, with constrained rows zero. */
     Vector
     forces(const State  &state,

@@ -15,13 +15,12 @@ namespace ThermoContact
   /**
    * The integrand of $R_u$, (M10.8).
    *
-   * @param now,zero coefficients at the temperature and at $\theta=0$
+   * @param beyond BodyRow::beyond_zero()
    * @param strain,strain_rate $u_x$, $v_x$
    */
   double
   added_stress(const Material        &material,
-               const RodCoefficients &now,
-               const RodCoefficients &zero,
+               const RodCoefficients &beyond,
                const double           theta,
                const double           strain,
                const double           strain_rate);
@@ -107,6 +106,7 @@ namespace ThermoContact
     };
 
     const SceneFields &fields;
+    const BodyRow     &row;
     const Material    &material;
     const RodMatrices &matrices;
     std::vector<Point> mass_points, points;
@@ -124,12 +124,15 @@ namespace ThermoContact
 
     /**
      * Calls @p at_mass and @p at_rest with the point, its weight, the body
-     * there and the coefficients at $\theta=0$, for all points of the cell.
+     * there and BodyRow::beyond_zero(), for all points of the cell.
+     *
+     * @param with_slopes with the derivatives of the coefficients; else 0
      */
     template <typename AtMass, typename AtRest>
     void
     visit(const Cell    &cell,
           const Instant &instant,
+          const bool     with_slopes,
           const AtMass  &at_mass,
           const AtRest  &at_rest) const;
 
