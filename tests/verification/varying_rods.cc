@@ -26,6 +26,9 @@
 // 6. A rod and its mirror image, A(1 - x), E(1 - x), ..., pulled from the other
 //    side: the same displacements.
 // 7. All coefficients vary: E + D + N - W is that of the start to 1e-12.
+// 8. Two bonded rods of length 1, box; the half that touches a rigid stop has
+//    velocity 1: its energy is 1/4, and the wave that goes to the stop presses
+//    with 1 for the time 1/2.
 
 #include <thermocontact/space/point_values.h>
 
@@ -401,6 +404,28 @@ namespace
                 << std::endl;
       }
   }
+
+
+
+  void
+  check_bonded_start()
+  {
+    const auto rows =
+      run<1>("",
+             elastic + body("a", {"Cells=100"}) +
+               body("b", {"Cells=100", "Velocity=if(x>0.5,1,0)"}) +
+               Overrides{"Contacts/a b/Condition=bonded",
+                         "Contact/Condition=rigid",
+                         "Contact/Gap=0",
+                         "Time/Scheme=box",
+                         "Time/End time=3"})
+        .rows;
+    deallog << "bonded rods start: energy "
+            << within(std::abs(rows.front().energy - 0.25), 1e-12)
+            << ", impulse "
+            << within(std::abs(rows.back().contact_impulse - 0.5), 1e-12)
+            << std::endl;
+  }
 } // namespace
 
 
@@ -416,4 +441,5 @@ main_varying_rods()
   check_parts();
   check_mirror();
   check_audit();
+  check_bonded_start();
 }
