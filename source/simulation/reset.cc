@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/reset.h>
@@ -476,8 +477,14 @@ namespace ThermoContact
     const Vector start(state.temperature);
     Vector       heat = body.discretization.make_vector(Field::temperature);
     Vector       change(heat), last(heat);
-    for (unsigned int n = 0; n < max_iterations_of_heating; ++n)
+    for (unsigned int n = 0;; ++n)
       {
+        if (n == max_iterations_of_heating)
+          throw ComputationError(
+            text("a static body that is moved at once, with coefficients of "
+                 "the temperature: its heat did not settle in ",
+                 n,
+                 " iterations"));
         set_static_displacement(*at_once, state);
         if (!body.equations.is_coupled())
           break;

@@ -81,19 +81,6 @@ namespace ThermoContact
 
 
 
-  std::vector<double>
-  NonlinearRod::at_nodes(const Vector &vector, const unsigned int cell) const
-  {
-    const RodLayout    &layout = matrices.layout();
-    std::vector<double> values(layout.nodes_per_cell(), 0.);
-    if (vector.size() > 0)
-      for (unsigned int i = 0; i < values.size(); ++i)
-        values[i] = vector.begin()[layout.node(cell, i)];
-    return values;
-  }
-
-
-
   template <typename AtMass, typename AtRest>
   void
   NonlinearRod::visit(const Cell    &cell,
@@ -102,14 +89,13 @@ namespace ThermoContact
                       const AtMass  &at_mass,
                       const AtRest  &at_rest) const
   {
-    const auto theta = at_nodes(instant.temperature, cell.number),
-               rate  = at_nodes(instant.temperature_rate, cell.number),
-               u     = at_nodes(instant.displacement, cell.number),
-               v     = at_nodes(instant.velocity, cell.number);
-    const auto sum   = [](const auto &basis, const auto &values) {
+    const RodLayout &layout = matrices.layout();
+    const auto       sum    = [&](const std::vector<double> &basis,
+                         const Vector              &values) {
       double result = 0.;
-      for (unsigned int i = 0; i < values.size(); ++i)
-        result += basis[i] * values[i];
+      if (values.size() > 0)
+        for (unsigned int i = 0; i < basis.size(); ++i)
+          result += basis[i] * values.begin()[layout.node(cell.number, i)];
       return result;
     };
     const auto visit_points = [&](const std::vector<Point>           &all,
@@ -119,11 +105,11 @@ namespace ThermoContact
         {
           const Point &point = all[q];
           const double x     = cell.begin + point.place * cell.size;
-          const Local  local{sum(point.value, theta),
-                            sum(point.slope, theta) / cell.size,
-                            sum(point.value, rate),
-                            sum(point.slope, u) / cell.size,
-                            sum(point.slope, v) / cell.size};
+          const Local  local{sum(point.value, instant.temperature),
+                            sum(point.slope, instant.temperature) / cell.size,
+                            sum(point.value, instant.temperature_rate),
+                            sum(point.slope, instant.displacement) / cell.size,
+                            sum(point.slope, instant.velocity) / cell.size};
           const auto   now =
             with_slopes ?
                 cell.profile->tangents(x, local.theta) :

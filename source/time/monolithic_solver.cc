@@ -67,8 +67,7 @@ namespace ThermoContact
       factorizations.pop_back();
     factorizations.push_front(
       {tau,
-       LinearSystem<dim>(own_equations ? *own_equations : body.equations,
-                         stage_coefficients(tau)),
+       LinearSystem<dim>(equations(), stage_coefficients(tau)),
        {},
        EndResponse()});
     const LinearSystem<dim> &system = factorizations.front().system;
@@ -490,16 +489,14 @@ namespace ThermoContact
                                           const StageRates          &rates,
                                           StageRates                &products)
   {
-    const ThermoviscoelasticOperator<dim> &equations = body.equations;
-    const double                           tau = factorizations.front().tau;
-    equations.stage_rhs(
+    const double tau = factorizations.front().tau;
+    body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    (own_equations ? *own_equations : equations)
-      .product(stage_coefficients(tau),
-               rates.temperature_rate,
-               rates.velocity,
-               products.temperature_rate,
-               products.velocity);
+    equations().product(stage_coefficients(tau),
+                        rates.temperature_rate,
+                        rates.velocity,
+                        products.temperature_rate,
+                        products.velocity);
     if (body.scene.fields.has_temperature)
       heat_rhs -= products.temperature_rate;
     momentum_rhs -= products.velocity;
@@ -510,8 +507,8 @@ namespace ThermoContact
                                      tau,
                                      momentum_rhs);
     if (body.scene.fields.has_temperature)
-      equations.zero_constrained(Field::temperature, heat_rhs);
-    equations.zero_constrained(Field::displacement, momentum_rhs);
+      equations().zero_constrained(Field::temperature, heat_rhs);
+    equations().zero_constrained(Field::displacement, momentum_rhs);
   }
 
 

@@ -28,12 +28,15 @@
 //
 // 7. Static, a load that jumps at t = 1/2. Uniform, insulated, theta = 1,
 //    a = (1 + theta)/2, to f = 1/2: adiabatic, d theta = -a d eps, so
-//    eps = 1 - 2 log((1 + theta)/2) = f + a theta. E = 2 + theta with a = 0, to
+//    eps = 1 - 2 log((1 + theta)/2) = f + a theta, met to the third order of
+//    the jump. E = 2 + theta with a = 0, to
 //    0.1: half the work of the load is lost, f^2/6.
 // 8. Linear cells have series means at all temperatures: E = exp(8 x) (1 -
 //    theta/2) where theta = 1, f = 0.1: u(1) = (1 - exp(-8))/40 with two cells.
 // 9. Clamped at both ends, heated evenly, fixed steps: the motion is rounding
 //    alone, and Newton's method settles.
+// 10. A rod and its mirror image, laws of 1 - x, ends exchanged: the middle
+//    moves as far to the other side, and the mean temperature is the same.
 
 #include <thermocontact/space/point_values.h>
 
@@ -308,6 +311,53 @@ namespace
 
 
 
+  /** The middle of a rod that is pulled, and its mean temperature. */
+  StepRecord
+  pulled_rod(const bool is_mirrored)
+  {
+    const std::string x = is_mirrored ? "(1-x)" : "x";
+    return run<1>("",
+                  body("rod",
+                       {"Stiffness=exp(" + x + "/2)*(1+theta/5)",
+                        "Viscosity=1+theta/4",
+                        "Coupling=1-theta/6",
+                        "Conductivity=1+" + x + "+theta/2",
+                        "Heat capacity=1+theta^2/9",
+                        "Temperature=1+" + x}) +
+                    (is_mirrored ? Overrides{"Boundary/left/Support=free",
+                                             "Boundary/left/Traction=0.1",
+                                             "Boundary/left/Temperature=2",
+                                             "Boundary/right/Temperature=1",
+                                             "Boundary/right/Support=clamped"} :
+                                   Overrides{"Boundary/right/Support=free",
+                                             "Boundary/right/Traction=0.1",
+                                             "Boundary/left/Temperature=1",
+                                             "Boundary/right/Temperature=2"}) +
+                    Overrides{"Model/Coupling=0.3",
+                              "Time/Scheme=sdirk4",
+                              "Time/Step size=0.05",
+                              "Time/End time=2"})
+      .rows.back();
+  }
+
+
+
+  void
+  check_mirror()
+  {
+    const StepRecord rod = pulled_rod(false), image = pulled_rod(true);
+    deallog << "mirrored: u(1/2) "
+            << within(std::abs(rod.displacement_mid + image.displacement_mid),
+                      1e-11)
+            << ", mean temperature "
+            << within(std::abs(rod.temperature_mean - image.temperature_mean),
+                      1e-11)
+            << ", moves " << (std::abs(rod.displacement_mid) > 0.01)
+            << std::endl;
+  }
+
+
+
   void
   check_audit()
   {
@@ -378,5 +428,6 @@ main_temperature_laws()
   check_heat();
   check_motion();
   check_static();
+  check_mirror();
   check_audit();
 }

@@ -65,6 +65,8 @@ namespace ThermoContact
     RodCoefficients
     at(const double x, const double theta = 0.) const;
 
+    /** at(), with the derivatives in the temperature of the branch that holds;
+     * throws likewise. */
     RodTangents
     tangents(const double x, const double theta) const;
 

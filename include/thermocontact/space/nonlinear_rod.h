@@ -112,10 +112,6 @@ namespace ThermoContact
     std::vector<Point> mass_points, points;
     std::vector<Cell>  cells;
 
-    /** Values of a field in a cell, by its nodes. */
-    std::vector<double>
-    at_nodes(const Vector &vector, const unsigned int cell) const;
-
     /** The body at a point of a cell. */
     struct Local
     {

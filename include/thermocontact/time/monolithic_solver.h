@@ -101,6 +101,12 @@ namespace ThermoContact
     /** In the place of those of the body; null: they are not. */
     std::unique_ptr<const ThermoviscoelasticOperator<dim>> own_equations;
 
+    const ThermoviscoelasticOperator<dim> &
+    equations() const
+    {
+      return own_equations ? *own_equations : body.equations;
+    }
+
     const HeatExchange &exchange;
     InterfaceProblem    problem;
 

@@ -28,6 +28,10 @@ namespace ThermoContact
 
     /**
      * @param i number of the stage, for the motion of the ends
+     * @param tau its length
+     * @param mode as of StageSolver::solve()
+     * @param driven motion of the ends in this step
+     * @param known known values; out: at driven ends those at its end
      * @param heat_load,momentum_load in: loads of the stage; out: with what the
      *   coefficients add at its end, so that the matrices of the body hold
      * @param stage out: as of StageSolver::solve(); a stage that does not
