@@ -32,9 +32,10 @@ namespace ThermoContact
           return {};
         const double rear = contact.rear_gap.value_or(out_of_reach);
         contact.rear_gap  = std::exchange(contact.gap, rear);
-        const ContactLawParameters front = contact.rear_law();
+        const ContactLawParameters front =
+          contact.own_rear_law.instead_of(contact.law);
         for (const auto &[name, value] : std::exchange(contact.law, front))
-          contact.of_rear_law[name] = value;
+          contact.own_rear_law.numbers[name] = value;
       }
     scene.model.coupling *= -1.;
     for (std::string *const value : {&scene.initial_values.displacement,

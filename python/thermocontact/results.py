@@ -68,14 +68,15 @@ class _Directory:
 class Run(_Directory):
     """What one run wrote; a table that the scene does not have is an Error.
 
-    contact, events, steps, probes, poincare: Tables; the last one has a row for each
-    Output/Period. contacts: a dict of Tables, one for each contact of a row of bodies.
+    contact, events, steps, probes, boundaries, poincare: Tables; the last one has a row for
+    each Output/Period. contacts: a dict of Tables, one for each contact of a row of bodies.
     """
 
     contact = cached_property(lambda self: read_table(self.directory / "contact.csv"))
     events = cached_property(lambda self: read_table(self.directory / "events.csv"))
     steps = cached_property(lambda self: read_table(self.directory / "steps.csv"))
     probes = cached_property(lambda self: read_table(self.directory / "probes.csv"))
+    boundaries = cached_property(lambda self: read_table(self.directory / "boundaries.csv"))
     poincare = cached_property(lambda self: read_table(self.directory / "poincare.csv"))
 
     @cached_property

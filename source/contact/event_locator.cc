@@ -464,7 +464,12 @@ namespace ThermoContact
     const LocalValues from{present, next.side};
     if (is_margin_pressure())
       {
-        const double p0 = from.pressure(node), p1 = next.pressure(node);
+        const double p0 = from.pressure(node);
+        const double p1 =
+          next.pressure(node) != 0. ?
+            next.pressure(node) :
+            law_of(next.side).held_pressure(next.penetration(node),
+                                            next.velocity(node));
         return CubicHermite(p0, p1 - p0, p1, p1 - p0);
       }
     const double sign = mode_ == ContactMode::closed ? 1. : -1.;
@@ -476,9 +481,10 @@ namespace ThermoContact
       {
         // the same with the digits that a stiff obstacle needs; the pressures
         // that a damped one has here are those of the penetrations, and
-        // between two obstacles there is none
+        // between two obstacles, or behind an end of contact, there is none
         s0 = law_of(next.side).penetration(from.pressure(node));
-        s1 = law_of(next.side).penetration(next.pressure(node));
+        if (next.pressure(node) != 0.)
+          s1 = law_of(next.side).penetration(next.pressure(node));
       }
     if (!has_velocity)
       return CubicHermite(s0, s1 - s0, s1, s1 - s0);

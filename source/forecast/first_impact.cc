@@ -79,11 +79,10 @@ namespace ThermoContact
         while (events.size() == 1 && rod.record().time < impact.time + waves &&
                rod.step())
           ;
-        if (const double peak = rod.history().penetration_peak.estimate();
-            peak > 0.)
+        if (const double peak = rod.history().peak_penetration(); peak > 0.)
           {
             impact.penetration = peak;
-            impact.force       = rod.history().force_peak.estimate();
+            impact.force       = rod.history().peak_force();
           }
         return impact;
       }

@@ -70,7 +70,7 @@ namespace ThermoContact
           // where an obstacle and a body of stiffness 1 meet
           double        free = expansion;
           const NodeLaw law =
-            make_node_law(scene.contact, scene.contact.gap, free);
+            make_node_law(scene.contact, 0, scene.contact.gap, free);
           state.contact_force    = law.resolve(free, 1.).pressure;
           state.in_contact       = state.contact_force != 0.;
           state.displacement_end = expansion - state.contact_force;
@@ -90,7 +90,7 @@ namespace ThermoContact
       const SteadyState state    = state_of_drop(scene, drop);
       double            position = state.displacement_end;
       const NodeLaw     law =
-        make_node_law(scene.contact, scene.contact.gap, position);
+        make_node_law(scene.contact, 0, scene.contact.gap, position);
       const double reach = law.penetration(position);
       const double k     = scene.heat.exchange->coefficient(
         state.in_contact ? 0. : reach,

@@ -107,9 +107,9 @@ namespace ThermoContact
   void
   PairParameters::add_parameters(ParameterHandler &prm)
   {
-    SectionOfEntries entry(prm,
-                           pairs_section + "/" +
-                             (name.empty() ? any_pair : name));
+    const std::string section =
+      pairs_section + "/" + (name.empty() ? any_pair : name);
+    SectionOfEntries entry(prm, section);
     entry("Condition", condition, Selection("contact|bonded"))
       .means("Two neighbours of the row: contact, by the law of section "
              "Contact, or bonded, layers of one rod.");
@@ -120,6 +120,8 @@ namespace ThermoContact
       .means("Heat exchange coefficient k between them; none: "
              "Boundary/right/Heat exchange.",
              "heat exchange");
+    own_law.section = section;
+    own_law.add_entries(entry, "of this contact");
   }
 
 

@@ -9,7 +9,6 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace ThermoContact
 {
@@ -175,46 +174,28 @@ namespace ThermoContact
 
 
 
-  std::string
-  name_of_rear_entry(const std::string &entry)
+  std::vector<const OwnLaw *>
+  Parameters::own_laws() const
   {
-    return std::string("Rear ") +
-           static_cast<char>(std::tolower(entry.front())) + entry.substr(1);
-  }
-
-
-
-  bool
-  ContactParameters::has_own_rear_law() const
-  {
-    return rear_gap && std::any_of(of_rear_law.begin(),
-                                   of_rear_law.end(),
-                                   [](const auto &entry) {
-                                     return entry.second.has_value();
-                                   });
-  }
-
-
-
-  ContactLawParameters
-  ContactParameters::rear_law() const
-  {
-    ContactLawParameters parameters = law;
-    for (const auto &[name, value] : of_rear_law)
-      if (value)
-        parameters[name] = *value;
-    return parameters;
+    std::vector<const OwnLaw *> laws;
+    if (contact.has_own_rear_law())
+      laws.push_back(&contact.own_rear_law);
+    for (const PairParameters &pair : row.pairs)
+      if (!pair.is_bonded() && pair.own_law.is_given())
+        laws.push_back(&pair.own_law);
+    return laws;
   }
 
 
 
   std::vector<std::unique_ptr<const ContactLaw>>
-  ContactParameters::make_laws() const
+  Parameters::make_contact_laws() const
   {
+    const ContactLawKind &kind = contact_law(contact.condition);
     std::vector<std::unique_ptr<const ContactLaw>> laws;
-    laws.push_back(contact_law(condition).make(law));
-    if (has_own_rear_law())
-      laws.push_back(contact_law(condition).make(rear_law()));
+    laws.push_back(kind.make(contact.law));
+    for (const OwnLaw *const own : own_laws())
+      laws.push_back(kind.make(own->instead_of(contact.law)));
     return laws;
   }
 
@@ -235,24 +216,7 @@ namespace ThermoContact
             Double(one.smallest, one.largest),
             [this, name = one.name](const double value) { law[name] = value; })
         .means(one.text, one.kind);
-    // by name, since copies of a map have nodes of their own
-    const std::string as_in_front = "as in front";
-    for (const ContactLawEntry &one : contact_law_entries())
-      entry
-        .unbound(name_of_rear_entry(one.name),
-                 as_in_front,
-                 NumberOrText::word(as_in_front),
-                 [this, name = one.name, as_in_front](const auto &given) {
-                   of_rear_law[name].reset();
-                   if (given != as_in_front)
-                     of_rear_law[name] =
-                       dealii::Utilities::string_to_double(given);
-                 })
-        .means(
-          one.name +
-            " of the obstacle behind the end, which has a Rear gap; as in front: " +
-            one.name + ", the same number.",
-          one.kind);
+    own_rear_law.add_entries(entry, "of the obstacle behind the end");
     entry("Stiffness", stiffness, NumberOrText::word("none"))
       .means("In place of Compliance in a file with section Rod: force over "
              "penetration, N/m, or over its power Exponent, N/m^m.",
@@ -412,6 +376,9 @@ namespace ThermoContact
       .means("Rows of contact.csv are written at the first step end at or "
              "after each multiple of this time, and at T; 0: every step.",
              "time");
+    entry("Boundaries", boundaries)
+      .means("Write boundaries.csv: heat, momentum and work that come through "
+             "the ends and the sides.");
     entry("Probes", probes)
       .means("Positions, separated by ';', the coordinates of each by ',': "
              "histories of the fields there (probes.csv), in the rows of "

@@ -55,6 +55,7 @@ namespace ThermoContact
                           is_celsius ? "°C" : "K"};
     all["temperature difference"] = {scale, 0., "K"};
     all["heat flux"]              = {flux, 0., "W/m^2"};
+    all["heat"]                   = {flux * *scales.area * seconds, 0., "J"};
     all["heat source"]            = {flux / length, 0., "W/m^3"};
     all["heat exchange"]          = {flux / scale, 0., "W/(m^2 K)"};
     all["heat loss"]              = {flux / (scale * length), 0., "W/(m^3 K)"};

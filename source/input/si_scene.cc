@@ -195,11 +195,12 @@ namespace ThermoContact
              "a nondimensional number",
              "the number without a unit, '*' before a name, or "
              "section Rod");
-    if (assignment.path == "Contact/Stiffness" && assignment.value != "none")
+    if (kind_of(assignment.path) == "stiffness" && assignment.value != "none")
       refuse(assignment,
              "the file has no section Rod, and is nondimensional",
              "none",
-             "Contact/Compliance, or section Rod");
+             path_in_same_law(assignment.path, "Compliance") +
+               ", or section Rod");
   }
 
 
@@ -279,13 +280,16 @@ namespace ThermoContact
     need(has_displacement && law.name != no_obstacle().name &&
            can_have_contact(assignments),
          "Contact/Gap");
-    const bool has_stiffness =
-      given("Contact/Stiffness").value_or("none") != "none";
-    need(has_stiffness, "Contact/Stiffness", true);
-    if (has_stiffness && given("Contact/Compliance"))
-      throw InputError("Contact/Stiffness = " + *given("Contact/Stiffness") +
-                       ": Contact/Compliance is given, too\n  remedy:  one of "
-                       "them");
+    for (const std::string &stiffness : given_stiffnesses())
+      {
+        need(true, stiffness, true);
+        const std::string compliance =
+          path_in_same_law(stiffness, "Compliance");
+        if (given(compliance))
+          throw InputError(stiffness + " = " + *given(stiffness) + ": " +
+                           compliance +
+                           " is given, too\n  remedy:  one of them");
+      }
     for (const ContactLawEntry &entry : law.entries)
       if (has_displacement && entry.is_positive &&
           !given("Contact/" + entry.name))
@@ -483,13 +487,26 @@ namespace ThermoContact
 
 
 
+  std::vector<std::string>
+  SiScene::given_stiffnesses() const
+  {
+    std::vector<std::string> paths;
+    for (const Assignment &assignment : assignments)
+      if (kind_of(assignment.path) == "stiffness" &&
+          given(assignment.path) != "none" &&
+          std::find(paths.begin(), paths.end(), assignment.path) == paths.end())
+        paths.push_back(assignment.path);
+    return paths;
+  }
+
+
+
   double
   SiScene::law_exponent(const std::string &path) const
   {
-    const std::string own = "Contact/" + name_of_rear_entry("Exponent");
-    const bool is_own = path == "Contact/" + name_of_rear_entry("Compliance") &&
-                        parse_number(given(own).value_or(""));
-    const std::string exponent = is_own ? own : "Contact/Exponent";
+    const std::string own = path_in_same_law(path, "Exponent");
+    const std::string exponent =
+      parse_number(given(own).value_or("")) ? own : "Contact/Exponent";
     if (!law.uses("Exponent"))
       return 1.;
     return parse_number(
@@ -562,13 +579,12 @@ namespace ThermoContact
                    (is_confined ? (1. + nu) / (1. - nu) : 1.));
     if (has_temperature && !has_row && !given("Initial values/Temperature"))
       set("Initial values/Temperature", "0");
-    if (has_displacement && law.uses("Compliance") &&
-        given("Contact/Stiffness"))
-      set_number("Contact/Compliance",
-                 std::pow(*scales.stress * *scales.area /
-                            number("Contact/Stiffness"),
-                          1. / law_exponent("Contact/Stiffness")) /
-                   *scales.length);
+    if (has_displacement && law.uses("Compliance"))
+      for (const std::string &stiffness : given_stiffnesses())
+        set_number(path_in_same_law(stiffness, "Compliance"),
+                   std::pow(*scales.stress * *scales.area / number(stiffness),
+                            1. / law_exponent(stiffness)) /
+                     *scales.length);
     const double end_time = number("Time/End time");
     if (!given("Output/Fields interval"))
       set_number("Output/Fields interval", round_to_digits(end_time / 20., 6));
@@ -606,8 +622,7 @@ namespace ThermoContact
     bool
     exists_only_in_si(const DeclaredEntry &entry)
     {
-      return section_of(entry.path) == "Rod" ||
-             entry.path == "Contact/Stiffness";
+      return section_of(entry.path) == "Rod" || entry.kind == "stiffness";
     }
 
 

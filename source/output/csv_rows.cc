@@ -67,6 +67,26 @@ namespace ThermoContact
 
 
 
+  CsvColumns<StepRecord>
+  boundary_columns(const Scene &scene)
+  {
+    CsvColumns<StepRecord> columns = {{"time", &StepRecord::time}};
+    BoundarySums::for_each_column(
+      [&](const std::string &name, const auto member) {
+        const bool is_heat = begins_with(name, "heat");
+        if (!(is_heat ? scene.fields.has_temperature :
+                        scene.fields.has_displacement) ||
+            (name == "heat_sides" && !scene.heat.has_lateral_exchange()))
+          return;
+        columns.emplace_back(name, [member](const StepRecord &record) {
+          return record.boundaries.*member;
+        });
+      });
+    return columns;
+  }
+
+
+
   CsvColumns<StepAttempt>
   attempt_columns()
   {

@@ -64,6 +64,9 @@ namespace ThermoContact
                     contact_columns(simulation.scene()),
                     units,
                     contact_file.name)
+    , boundaries_file("boundaries.csv",
+                      boundary_columns(simulation.scene()),
+                      units)
     , events_file("events.csv", event_columns(simulation.scene()), units)
     , steps_file("steps.csv", attempt_columns(), units)
     , probes_file("probes.csv", probe_columns(probes.size()), units)
@@ -75,6 +78,7 @@ namespace ThermoContact
              {events_file.name, &events_file.file},
              {steps_file.name, &steps_file.file},
              {poincare_file.name, &poincare_file.file},
+             {boundaries_file.name, &boundaries_file.file},
              {probes_file.name, &probes_file.file}}
   {
     field_timer.reset();
@@ -143,6 +147,8 @@ namespace ThermoContact
       open(steps_file);
     if (parameters.period > 0.)
       open(poincare_file);
+    if (parameters.boundaries)
+      open(boundaries_file);
     if (!probes.empty())
       open(probes_file, probe_comments(simulation.parameters()));
     if (space_time_output)
@@ -194,6 +200,8 @@ namespace ThermoContact
     if (parameters.contact_interval == 0. || is_due(of_contact, record.time))
       {
         contact_file.add(record);
+        if (parameters.boundaries)
+          boundaries_file.add(record);
         for (unsigned int i = 0; i < row_files.size(); ++i)
           row_files[i]->add(record.contacts[i]);
         if (!probes.empty())

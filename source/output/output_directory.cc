@@ -33,8 +33,8 @@ namespace ThermoContact
       "contacts/*.csv",
       "fields/@(contact|fields|obstacle)-+([0-9])"
       ".vtu",
-      "@(contact|events|poincare|probes|steps|"
-      "study).csv",
+      "@(boundaries|contact|events|poincare|"
+      "probes|steps|study).csv",
       "log.txt",
       "obstacle.vtu",
       "space-time.@(columns|vtu)",

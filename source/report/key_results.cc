@@ -221,8 +221,8 @@ namespace ThermoContact
     KeyResults values = key_results(scene, history);
     if (scene.scheme.has_no_dispersion)
       return values; // rows are means over steps, among them fronts
-    values["max_contact_force"] = history.force_peak.estimate();
-    values["max_penetration"]   = history.penetration_peak.estimate();
+    values["max_contact_force"] = history.peak_force();
+    values["max_penetration"]   = history.peak_penetration();
     return values;
   }
 } // namespace ThermoContact

@@ -403,6 +403,11 @@ namespace ThermoContact
           gap =
             as_written("Contact/Gap", scene.parameters.contact.gap_expression) +
             (is_one ? " (" + gap + " at t = 0)" : "");
+        std::vector<std::string> pairs; // with laws of their own
+        for (unsigned int i = 0; i < contact.pair_laws.size(); ++i)
+          if (contact.pair_laws[i])
+            pairs.push_back(scene.row.contacts[i].name + " " +
+                            contact.pair_laws[i]->description());
         log.line(
           "  contact   " +
           join_words({scene.row.is_given() && !contact.law->is_active() ?
@@ -415,6 +420,7 @@ namespace ThermoContact
                       contact.rear_law ?
                         "behind " + contact.rear_law->description() :
                         "",
+                      join_words(pairs),
                       contact.law->is_active() && contact.has_massless_nodes ?
                         "massless contact nodes" :
                         ""}));

@@ -182,8 +182,8 @@ namespace ThermoContact
     auto
     letters(const RowContact &contact)
     {
-      const auto &[a, b, c, d] = contact;
-      return std::tie(a, b, c, d);
+      const auto &[a, b, c, d, e] = contact;
+      return std::tie(a, b, c, d, e);
     }
 
     auto
@@ -228,8 +228,7 @@ namespace ThermoContact
            are_same(one.cells, other.cells) &&
            are_same(one.masses, other.masses) &&
            are_same(one.contacts, other.contacts) &&
-           one.meets_obstacle == other.meets_obstacle &&
-           one.gap_of_obstacle == other.gap_of_obstacle;
+           one.meets_obstacle == other.meets_obstacle;
   }
 
 
@@ -250,10 +249,10 @@ namespace ThermoContact
   std::vector<MassContact>
   mass_contacts(const Parameters &parameters)
   {
-    const auto law =
-      contact_law(parameters.contact.condition).make(parameters.contact.law);
+    const ContactLawKind    &kind = contact_law(parameters.contact.condition);
     std::vector<MassContact> contacts;
-    if (!law->is_active() || parameters.model.fields == "temperature")
+    if (!kind.make(parameters.contact.law)->is_active() ||
+        parameters.model.fields == "temperature")
       return contacts;
     const std::vector<BodyParameters> &bodies  = parameters.row.bodies;
     double                             fastest = 0.;
@@ -267,6 +266,10 @@ namespace ThermoContact
         !one.is_mass() || (other != nullptr && !other->is_mass());
       if (!one.is_mass() && (other == nullptr || !other->is_mass()))
         return;
+      const PairParameters *const pair = find_pair(parameters.row, name);
+      const auto                  law  = kind.make(
+        pair != nullptr ? pair->own_law.instead_of(parameters.contact.law) :
+                          parameters.contact.law);
       const double mass =
         has_rod          ? (one.is_mass() ? one.mass : other->mass) :
         other == nullptr ? one.mass :
@@ -449,6 +452,14 @@ namespace ThermoContact
                 "as heavy");
             if (!bonded)
               {
+                if (!parameters.contact.gap_expression.empty() &&
+                    (pair == nullptr || !pair->gap))
+                  throw InputError(
+                    "Contacts/" + name +
+                    "/Gap = none\n  allowed: a number, since Contact/Gap = " +
+                    parameters.contact.gap_expression +
+                    " is of the obstacle\n  remedy:  Contacts/" + name +
+                    "/Gap = 0");
                 const double gap = pair != nullptr && pair->gap ?
                                      *pair->gap :
                                      parameters.contact.gap;
@@ -456,7 +467,11 @@ namespace ThermoContact
                   {name,
                    static_cast<unsigned int>(row.cells.size()),
                    gap,
-                   pair != nullptr ? pair->heat_exchange : std::nullopt});
+                   pair != nullptr ? pair->heat_exchange : std::nullopt,
+                   std::nullopt});
+                if (pair != nullptr && pair->own_law.is_given())
+                  row.contacts.back().law =
+                    pair->own_law.instead_of(parameters.contact.law);
                 add_gap(gap);
               }
           }
@@ -496,8 +511,7 @@ namespace ThermoContact
           (known.empty() ? "none, of one body" : join_words(known)) +
           "\n  remedy:  the names of section Bodies, in the "
           "order of x");
-    row.meets_obstacle  = parameters.boundary.right.meets_obstacle();
-    row.gap_of_obstacle = parameters.contact.gap;
+    row.meets_obstacle = parameters.boundary.right.meets_obstacle();
     return row;
   }
 } // namespace ThermoContact

@@ -315,7 +315,18 @@ namespace ThermoContact
         resolve_law(parameters, fields, row, parameters.contact.law);
       if (contact.law->is_active() && parameters.contact.has_own_rear_law())
         contact.rear_law =
-          resolve_law(parameters, fields, row, parameters.contact.rear_law());
+          resolve_law(parameters,
+                      fields,
+                      row,
+                      parameters.contact.own_rear_law.instead_of(
+                        parameters.contact.law));
+      for (unsigned int i = 0; i < row.contacts.size(); ++i)
+        if (row.contacts[i].law)
+          {
+            contact.pair_laws.resize(row.contacts.size());
+            contact.pair_laws[i] =
+              resolve_law(parameters, fields, row, *row.contacts[i].law);
+          }
       contact.gap = resolve_gap(parameters, gap);
       if (contact.law->is_active() && parameters.contact.rear_gap)
         contact.rear_gap = *parameters.contact.rear_gap;

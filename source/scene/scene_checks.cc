@@ -121,23 +121,28 @@ namespace ThermoContact
       const ContactLawKind &law = contact_law(parameters.contact.condition);
       for (const ContactLawEntry &entry : law.entries)
         {
-          const auto refuse_zero = [&](const std::string &name,
+          const auto refuse_zero = [&](const std::string &path,
                                        const double       value) {
             if (entry.is_positive && !(value > 0.))
-              refuse("Contact/" + name,
+              refuse(path,
                      value,
                      "a positive number",
                      "for a rigid obstacle set Contact/Condition = rigid");
           };
-          const double rear = parameters.contact.rear_law().at(entry.name);
-          refuse_zero(entry.name, parameters.contact.law.at(entry.name));
-          refuse_zero(name_of_rear_entry(entry.name), rear);
-          if (!(rear >= entry.smallest && rear <= entry.largest))
-            refuse("Contact/" + name_of_rear_entry(entry.name),
-                   rear,
-                   text(entry.smallest, " to ", entry.largest),
-                   "Contact/" + name_of_rear_entry(entry.name) +
-                     " = as in front");
+          refuse_zero("Contact/" + entry.name,
+                      parameters.contact.law.at(entry.name));
+          for (const OwnLaw *const own : parameters.own_laws())
+            {
+              const std::string path = own->path(entry.name);
+              const double      value =
+                own->instead_of(parameters.contact.law).at(entry.name);
+              refuse_zero(path, value);
+              if (!(value >= entry.smallest && value <= entry.largest))
+                refuse(path,
+                       value,
+                       text(entry.smallest, " to ", entry.largest),
+                       path + " = " + own->word);
+            }
         }
       const double gap = scene.contact.gap, rear_gap = scene.contact.rear_gap;
       if (gap + rear_gap <= 0.)
@@ -149,24 +154,25 @@ namespace ThermoContact
                     "Contact/Damping",
                     "Contact/Dashpot",
                     *scene.contact.law);
-      if (!scene.contact.rear_law)
-        return;
-      check_damping(scene,
-                    "Contact/Rear damping",
-                    "Contact/Rear dashpot",
-                    *scene.contact.rear_law);
-      for (const auto &[name, value] : parameters.contact.of_rear_law)
+      for (const OwnLaw *const own : parameters.own_laws())
         {
-          const Refusal     own{"Contact/" + name_of_rear_entry(name),
-                            text(value.value_or(0.)),
-                            "as in front"};
-          const std::string remedy = own.path + " = as in front";
-          own.since(value && !scene.scheme.needs_linear_contact.empty(),
-                    name_of_scheme(scene),
-                    remedy);
-          own.since(value && scene.is_fixed_point,
-                    "Solver/Step solver = fixed point",
-                    remedy);
+          check_damping(scene,
+                        own->path("Damping"),
+                        own->path("Dashpot"),
+                        *law.make(own->instead_of(parameters.contact.law)));
+          for (const auto &[name, value] : own->numbers)
+            {
+              const Refusal     number{own->path(name),
+                                   text(value.value_or(0.)),
+                                   own->word};
+              const std::string remedy = number.path + " = " + own->word;
+              number.since(value && !scene.scheme.needs_linear_contact.empty(),
+                           name_of_scheme(scene),
+                           remedy);
+              number.since(value && scene.is_fixed_point,
+                           "Solver/Step solver = fixed point",
+                           remedy);
+            }
         }
     }
 
@@ -789,11 +795,12 @@ namespace ThermoContact
          text(scene.contact.rear_gap),
          "none",
          "Contact/Rear gap = none");
-      no(!parameters.contact.gap_expression.empty(),
+      no(!parameters.contact.gap_expression.empty() &&
+           !scene.row.meets_obstacle,
          "Contact/Gap",
          parameters.contact.gap_expression,
-         "a number",
-         "a mass that is moved instead of the obstacle");
+         "a number, where the row meets no obstacle",
+         "Boundary/right/Support = contact");
       const auto no_load = [](const std::string &path,
                               const double       value,
                               const std::string &mass) {

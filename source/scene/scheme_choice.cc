@@ -351,7 +351,7 @@ namespace ThermoContact
     length_of_contact(const Parameters &parameters)
     {
       double shortest = infinity;
-      for (const auto &law : parameters.contact.make_laws())
+      for (const auto &law : parameters.make_contact_laws())
         {
           if (!law->is_active())
             continue;
@@ -403,7 +403,7 @@ namespace ThermoContact
     length_of_layer(const Parameters &parameters)
     {
       double shortest = infinity;
-      for (const auto &law : parameters.contact.make_laws())
+      for (const auto &law : parameters.make_contact_laws())
         if (law->is_active() && law->is_linear() && law->tangent(0.) > 0.)
           shortest = std::min(shortest,
                               layer_of_impact(parameters.model.inertia,
@@ -460,7 +460,7 @@ namespace ThermoContact
       if (written.dimension > 1 || written.mesh.degree == 1)
         return 0;
       const ModelParameters &model    = written.model;
-      const auto             laws     = written.contact.make_laws();
+      const auto             laws     = written.make_contact_laws();
       const auto             softness = [](const auto &one) {
         return one->is_linear() ? one->tangent(0.) : 0.;
       };

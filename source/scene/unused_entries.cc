@@ -124,9 +124,12 @@ namespace ThermoContact
       for (const PairParameters &pair : row.pairs)
         {
           const std::string section = "Contacts/" + pair.name + "/";
-          const std::pair<const char *, bool> of_fields[] = {
+          std::vector<std::pair<std::string, bool>> of_fields = {
             {"Gap", scene.fields.has_displacement},
-            {"Heat exchange", scene.fields.has_temperature}};
+            {"Heat exchange", scene.fields.has_temperature},
+            {"Stiffness", scene.fields.has_displacement}};
+          for (const auto &[name, value] : pair.own_law.numbers)
+            of_fields.emplace_back(name, scene.fields.has_displacement);
           for (const auto &[name, has_field] : of_fields)
             {
               unused.add_if(pair.is_bonded(),
@@ -191,28 +194,31 @@ namespace ThermoContact
 
     /** The entries that other contact laws use, but not this one. */
     Paths
-    foreign_to_law(const ContactLawKind &law)
+    foreign_to_law(const ContactLawKind &law, const Parameters &parameters)
     {
-      Paths paths;
+      Paths      paths;
+      const auto add = [&](const std::string &name) {
+        paths.push_back("Contact/" + name);
+        paths.push_back(parameters.contact.own_rear_law.path(name));
+        for (const PairParameters &pair : parameters.row.pairs)
+          paths.push_back(pair.own_law.path(name));
+      };
       if (!law.uses("Compliance"))
-        paths.push_back("Contact/Stiffness");
+        add("Stiffness");
       for (const ContactLawEntry &entry : contact_law_entries())
         if (!law.uses(entry.name))
-          {
-            paths.push_back("Contact/" + entry.name);
-            paths.push_back("Contact/" + name_of_rear_entry(entry.name));
-          }
+          add(entry.name);
       return paths;
     }
 
 
 
     Paths
-    entries_of_rear_law(const ContactLawKind &law)
+    entries_of_law(const ContactLawKind &law, const OwnLaw &own)
     {
-      Paths paths;
+      Paths paths{own.path("Stiffness")};
       for (const ContactLawEntry &entry : law.entries)
-        paths.push_back("Contact/" + name_of_rear_entry(entry.name));
+        paths.push_back(own.path(entry.name));
       return paths;
     }
   } // namespace
@@ -262,7 +268,7 @@ namespace ThermoContact
                   "Dimension = " + std::to_string(parameters.dimension));
     const ContactLawKind &law       = contact_law(parameters.contact.condition);
     const std::string     condition = "Contact/Condition = " + law.name;
-    unused.add_if(true, foreign_to_law(law), condition);
+    unused.add_if(true, foreign_to_law(law, parameters), condition);
     unused.add_if(!law.make(parameters.contact.law)->is_active(),
                   {"Contact/Gap",
                    "Contact/Rear gap",
@@ -270,7 +276,7 @@ namespace ThermoContact
                    "Time/Locate contact events"},
                   condition);
     unused.add_if(!parameters.contact.rear_gap,
-                  entries_of_rear_law(law),
+                  entries_of_law(law, parameters.contact.own_rear_law),
                   "Contact/Rear gap = none");
     const BoundaryParameters::Right &right = parameters.boundary.right;
     const std::string                given =

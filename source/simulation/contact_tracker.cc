@@ -25,6 +25,7 @@ namespace ThermoContact
       result.impulses.resize(impact.impulses.size(), 0.);
       for (unsigned int i = 0; i < impact.impulses.size(); ++i)
         result.impulses[i] += impact.impulses[i];
+      result.boundaries.add(1., impact.boundaries);
       result.work += impact.work;
       result.numerical_dissipation += impact.numerical_dissipation;
     }
@@ -43,8 +44,9 @@ namespace ThermoContact
       body.scene.row.is_given() ? body.contact_end().n_nodes() : 1;
     locators.reserve(n);
     for (unsigned int i = 0; i < n; ++i)
-      locators.emplace_back(body.law(),
-                            body.scene.contact.locates_events && n == 1,
+      locators.emplace_back(body.scene.contact.law_at(i),
+                            body.scene.contact.locates_events &&
+                              (n == 1 || !body.law().is_rigid()),
                             body.scene.contact.order,
                             body.scene.parameters.time.has_error_control() ?
                               body.scene.parameters.time.tolerance :
@@ -86,14 +88,54 @@ namespace ThermoContact
                              const StepResult &result,
                              const double      mechanical_energy) const
   {
-    if (result.is_prescribed || mode() == ContactMode::unilateral)
+    if (result.is_prescribed ||
+        std::all_of(locators.begin(), locators.end(), [](const auto &locator) {
+          return locator.mode() == ContactMode::unilateral;
+        }))
       return {};
     get_contact_values(body, result.state, next);
-    return locators[0].examine(next,
-                               time_step.target == TimeStep::event,
-                               {mechanical_energy,
-                                std::sqrt(2. * body.scene.material.inertia *
-                                          mechanical_energy)});
+    const bool       is_aimed = time_step.target == TimeStep::event;
+    const BodyScales scales   = {mechanical_energy,
+                                 std::sqrt(2. * body.scene.material.inertia *
+                                         mechanical_energy)};
+    return is_of_several() ? judge_several(is_aimed, scales) :
+                             locators[0].examine(next, is_aimed, scales);
+  }
+
+
+
+  template <int dim>
+  EventLocator::Finding
+  ContactTracker<dim>::judge_several(const bool        is_aimed,
+                                     const BodyScales &scales) const
+  {
+    using Finding = EventLocator::Finding;
+    Finding first, at_end;
+    for (unsigned int i = 0; i < locators.size(); ++i)
+      {
+        if (locators[i].mode() == ContactMode::unilateral)
+          continue;
+        const Finding finding =
+          locators[i].examine(next.of_node(i), is_aimed, scales);
+        if (finding.kind == Finding::within &&
+            (first.kind == Finding::nothing || finding.time < first.time))
+          first = finding;
+        if (finding.kind == Finding::nothing)
+          continue;
+        at_end.of_contacts.resize(locators.size(), Finding::nothing);
+        at_end.of_contacts[i] = finding.kind;
+      }
+    return first.kind == Finding::within ? first : at_end;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::finish_by_law()
+  {
+    for (EventLocator &locator : locators)
+      locator.finish_by_law();
   }
 
 
@@ -111,7 +153,7 @@ namespace ThermoContact
         finding.changes_all_nodes)
       switch_state(finding, accepted, energy);
     else
-      locators[0].finish_by_law();
+      finish_by_law();
     return {};
   }
 
@@ -164,16 +206,23 @@ namespace ThermoContact
 
   template <int dim>
   void
-  ContactTracker<dim>::accept_several(const StepResult          &result,
-                                      std::vector<ContactEvent> &events)
+  ContactTracker<dim>::accept_several(const StepResult            &result,
+                                      const EventLocator::Finding &finding,
+                                      std::vector<ContactEvent>   &events)
   {
+    using Finding = EventLocator::Finding;
     get_contact_values(body, result.state, next);
     events.insert(events.end(), result.impacts.begin(), result.impacts.end());
     for (unsigned int i = 0; i < locators.size(); ++i)
       {
+        Finding of_this;
+        if (!finding.of_contacts.empty())
+          of_this.kind = finding.of_contacts[i];
+        if (of_this.kind == Finding::at_start) // the law has seen it
+          locators[i].finish_by_law();
         std::vector<ContactEvent> of_contact;
         locators[i].accept(next.of_node(i),
-                           {},
+                           of_this,
                            of_contact,
                            i < result.contact_changes.size() ?
                              result.contact_changes[i] :
@@ -208,7 +257,8 @@ namespace ThermoContact
     n_old_events = events.size();
     if (is_of_several())
       {
-        accept_several(result, events);
+        accept_several(result, finding, events);
+        n_retakes = 0;
         return reset.finish_pressure(mode(), finding, result);
       }
     if (result.is_prescribed) // it supposes nothing
@@ -262,7 +312,7 @@ namespace ThermoContact
     // its velocity is that of the step, as are the rates that it followed
     if (body.scene.material.is_static())
       return;
-    EventLocator        &locator = locators[0]; // the obstacle of a row rests
+    EventLocator        &locator = locators[0];
     State               &state   = result.state;
     std::vector<NodeLaw> before, behind;
     std::vector<double>  position;
@@ -287,7 +337,11 @@ namespace ThermoContact
     else
       reset.settle_velocities(closed_nodes(result), state);
     get_contact_values(body, state, next);
-    locator.set_present(next);
+    if (is_of_several())
+      for (unsigned int i = 0; i < locators.size(); ++i)
+        locators[i].set_present(next.of_node(i));
+    else
+      locator.set_present(next);
     if (is_held && towards <= continuous && away > continuous)
       locator.switch_at_start(state.time); // nodes with inertia do not follow
     else if (std::max(towards, away) > continuous && body.law().is_rigid() &&
@@ -328,7 +382,8 @@ namespace ThermoContact
         StepResult at_jump;
         at_jump.state = state;
         n_old_events  = n_events;
-        accept_several(at_jump, events);
+        finish_by_law();
+        accept_several(at_jump, {}, events);
       }
     else
       {

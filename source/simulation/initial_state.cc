@@ -203,7 +203,7 @@ namespace ThermoContact
           double       &projected = state.displacement.begin()[entry];
           double        position  = given;
           const NodeLaw law =
-            make_node_law(body.scene.contact, state.gap[i], position);
+            make_node_law(body.scene.contact, i, state.gap[i], position);
           const double place = touching_displacement(body, law, state.gap[i]);
           if (are_one(given, place) ||
               (law.penetration(position) < 0. &&

@@ -201,16 +201,18 @@ namespace ThermoContact
         record.velocity_end = end.mean(contact_values);
       }
 
-    const auto [smallest, largest] =
-      std::minmax_element(state.contact_pressure.begin(),
-                          state.contact_pressure.end());
     record.contact_force        = end.mean(state.contact_pressure);
     const SceneContact &contact = body.scene.contact;
     record.penetration =
-      contact.is_damped() ?
-        std::max(0., 0. - record.gap) :
-        std::max(contact.law->penetration(std::max(*largest, 0.)),
-                 contact.law_of(-1).penetration(std::max(0. - *smallest, 0.)));
+      contact.is_damped() ? std::max(0., 0. - record.gap) : 0.;
+    if (!contact.is_damped())
+      for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+        {
+          const double p     = state.contact_pressure[i];
+          record.penetration = std::max(
+            record.penetration,
+            contact.law_at(i, p < 0. ? -1 : 1).penetration(std::abs(p)));
+        }
     record.stress_end = mean_traction() - record.contact_force;
     if (const auto &right = body.scene.parameters.boundary.right;
         right.is_any())

@@ -150,14 +150,33 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  Reset<dim>::book_boundaries(const Vector &old_temperature,
+                              const Vector &old_displacement,
+                              StepResult   &result) const
+  {
+    if (body.boundary_flows.is_active())
+      result.boundaries.add(1.,
+                            body.boundary_flows.jump(old_temperature,
+                                                     old_displacement,
+                                                     result.state));
+  }
+
+
+
+  template <int dim>
   template <class Motion>
   double
-  Reset<dim>::work_of(State &state, const Motion &move) const
+  Reset<dim>::work_of(StepResult &result, const Motion &move) const
   {
-    Vector change(state.displacement);
-    Vector of_laws = forces_of_laws(state, nullptr);
+    State       &state = result.state;
+    const Vector old_temperature(state.temperature);
+    const Vector old_displacement(state.displacement);
+    Vector       of_laws = forces_of_laws(state, nullptr);
     move();
-    change.sadd(-1., 1., state.displacement);
+    book_boundaries(old_temperature, old_displacement, result);
+    Vector change(state.displacement);
+    change -= old_displacement;
     of_laws += forces_of_laws(state, nullptr);
     return body.energy.work_of_motion(momentum_load(state.load_time),
                                       state,
@@ -602,6 +621,7 @@ namespace ThermoContact
                                                 0.)) > 0.;
     const bool jumps =
       at != nullptr && (at->jumping & fixed_end_temperature) != 0;
+    const Vector old_temperature(state.temperature);
     if (starts)
       set_temperature_of_fixed_end(heat.fixed_end_temperature, state);
     const double work =
@@ -609,6 +629,8 @@ namespace ThermoContact
         set_temperature_of_fixed_end(heat.fixed_end_drive->value(at->new_time),
                                      state) :
         0.;
+    if (starts || jumps)
+      book_boundaries(old_temperature, state.displacement, result);
     if (starts || jumps)
       move_at_once(is_closed, work, result);
     return starts || jumps;
@@ -627,9 +649,9 @@ namespace ThermoContact
     const bool   moves = moves_at_once();
     state.jump_time    = state.time;
     if (moves && scene.material.is_static())
-      work += work_of(state, [&]() { move_static_body(state); });
+      work += work_of(result, [&]() { move_static_body(state); });
     else if (moves && scene.contact.is_in_equilibrium())
-      work += work_of(state, [&]() { move_static_nodes(state); });
+      work += work_of(result, [&]() { move_static_nodes(state); });
     else
       {
         if (moves)
@@ -777,14 +799,15 @@ namespace ThermoContact
             if (finding.changes_all_nodes || i == finding.node)
               closing.push_back(i);
         work =
-          work_of(state, [&]() { set_static_equilibrium(state, closing); });
+          work_of(result, [&]() { set_static_equilibrium(state, closing); });
       }
     else if (is_event && mode == ContactMode::open && !body.law().is_rigid())
       {
         changed = true;
         // a dashpot pushes at once
         const bool is_held =
-          body.scene.contact.law_of(finding.obstacle).dashpot() > 0. &&
+          body.scene.contact.law_at(finding.node, finding.obstacle).dashpot() >
+            0. &&
           finding.changes_all_nodes;
         if (is_held && !body.scene.material.has_inertia())
           set_velocity_of_viscous_body({}, state, is_held);

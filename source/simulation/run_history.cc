@@ -20,7 +20,7 @@ namespace ThermoContact
     {
       const ContactLaw &law = *scene.contact.law;
       return scene.parameters.dimension == 1 && scene.scheme.order > 1 &&
-             !scene.row.is_given() && !scene.scheme.has_mean_velocity &&
+             !scene.scheme.has_mean_velocity &&
              !scene.scheme.has_no_dispersion && !law.is_rigid() &&
              !law.is_damped() && !scene.contact.is_two_sided();
     }
@@ -41,23 +41,60 @@ namespace ThermoContact
   void
   RunHistory::add_maxima(const Scene &scene, const double gap_rate)
   {
-    const double force = std::abs(record.contact_force); // of either obstacle
-    if (!has_rates(scene))
+    const SceneContact &contact     = scene.contact;
+    const bool          rates_exist = has_rates(scene);
+    const auto          add         = [&](const unsigned int number,
+                         const double       penetration,
+                         const double       force, // of either obstacle
+                         const double       rate) {
+      Peaks &at = peaks[number];
+      at.penetration.add(record.time, penetration, rates_exist ? rate : nan);
+      at.force.add(record.time,
+                   force,
+                   !rates_exist ? nan :
+                                    force > 0. ? rate / contact.law_at(number).tangent(force) :
+                                                 0.);
+      max_penetration = std::fmax(max_penetration, at.penetration.top());
+      max_contact_force = std::fmax(max_contact_force, at.force.top());
+    };
+    const std::vector<ContactRecord> &contacts = record.contacts;
+    peaks.resize(std::max<std::size_t>(1, contacts.size()));
+    if (contacts.empty())
+      return add(0,
+                 record.penetration,
+                 std::abs(record.contact_force),
+                 record.velocity_end - gap_rate);
+    for (unsigned int i = 0; i < contacts.size(); ++i)
       {
-        penetration_peak.add(record.time, record.penetration);
-        force_peak.add(record.time, force);
+        const double force = std::abs(contacts[i].contact_force);
+        add(i,
+            contact.is_damped() ? std::fmax(0., 0. - contacts[i].gap) :
+                                  contact.law_at(i).penetration(force),
+            force,
+            contacts[i].velocity);
       }
-    else
-      {
-        const double rate = record.velocity_end - gap_rate;
-        penetration_peak.add(record.time, record.penetration, rate);
-        force_peak.add(record.time,
-                       force,
-                       force > 0. ? rate / scene.contact.law->tangent(force) :
-                                    0.);
-      }
-    max_penetration   = std::fmax(max_penetration, penetration_peak.top());
-    max_contact_force = std::fmax(max_contact_force, force_peak.top());
+  }
+
+
+
+  double
+  RunHistory::peak_force() const
+  {
+    double peak = nan;
+    for (const Peaks &at : peaks)
+      peak = std::fmax(peak, at.force.estimate());
+    return peak;
+  }
+
+
+
+  double
+  RunHistory::peak_penetration() const
+  {
+    double peak = nan;
+    for (const Peaks &at : peaks)
+      peak = std::fmax(peak, at.penetration.estimate());
+    return peak;
   }
 
 
@@ -88,6 +125,7 @@ namespace ThermoContact
     record.energy       = result.energy.sum();
     record.work += result.work;
     record.numerical_dissipation += result.numerical_dissipation;
+    record.boundaries.add(1., result.boundaries);
     record.contact_impulse += result.impulse;
     for (unsigned int i = 0; i < result.impulses.size(); ++i)
       record.contacts[i].contact_impulse += result.impulses[i];

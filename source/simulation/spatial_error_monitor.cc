@@ -352,8 +352,11 @@ namespace ThermoContact
         !material.has_viscosity())
       return infinity;
     const double b = material.inertia, zeta = material.viscosity;
-    const double dashpot =
-      std::max(law.dashpot(), scene.contact.law_of(-1).dashpot());
+    double       dashpot = 0.;
+    scene.contact.any_law([&](const ContactLaw &one) {
+      dashpot = std::max(dashpot, one.dashpot());
+      return false;
+    });
     // at the first touch, where the viscous stress stops the end
     if (scene.scheme.has_no_dispersion && dashpot > 0.)
       return zeta / dashpot;

@@ -22,6 +22,7 @@ namespace ThermoContact
     , energy(scene, discretization, equations, loads, surroundings)
     , driven_end(scene, discretization, equations, loads, energy)
     , obstacle(scene, contact_end())
+    , boundary_flows(scene, discretization, equations, surroundings, loads)
     , nonlinear(
         scene.sources.has_laws ?
           std::make_unique<const NonlinearRod>(scene, *equations.rod()) :

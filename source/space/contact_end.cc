@@ -138,7 +138,7 @@ namespace ThermoContact
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
     , all_nodes_(discretization.row().is_given() ?
-                   find_nodes_of_row(discretization) :
+                   find_nodes_of_row(discretization, gap) :
                    find_nodes(discretization, gap))
     , nodes_(all_nodes_)
   {
@@ -167,8 +167,8 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<ContactNode<dim>>
-  ContactEnd<dim>::find_nodes_of_row(
-    const Discretization<dim> &discretization) const
+  ContactEnd<dim>::find_nodes_of_row(const Discretization<dim> &discretization,
+                                     const Function<dim>       &gap) const
   {
     const BodyRow                       &row = discretization.row();
     const FiniteElement<dim>            &fe  = discretization.finite_element();
@@ -211,7 +211,7 @@ namespace ThermoContact
             {cell->vertex(1),
              dof_at(1),
              weight,
-             row.gap_of_obstacle,
+             gap.value(cell->vertex(1)),
              row.meets_obstacle ? discretization.exchange_coefficient() : 0.});
       }
     return nodes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/dealii_versions.h>
+#include <thermocontact/base/local_sums.h>
 #include <thermocontact/space/driven_end.h>
 
 #include <deal.II/base/mpi.h>
@@ -9,45 +10,29 @@
 
 namespace ThermoContact
 {
-  namespace
+  template <int dim>
+  std::vector<unsigned int>
+  entries_of_fixed_end(const Discretization<dim> &space,
+                       const Field::Block         field)
   {
-    /** The owned entries of a component at the fixed end. */
-    template <int dim>
-    std::vector<unsigned int>
-    entries_of_end(const Discretization<dim> &space, const Field::Block field)
-    {
-      AffineConstraints<double> held =
-        make_unconstrained(space.owned(), space.relevant());
-      ComponentMask component(space.n_components(), false);
-      component.set(space.first_component(field), true);
-      VectorTools::interpolate_boundary_values(space.mapping(),
-                                               space.dof_handler(),
-                                               fixed_boundary_id,
-                                               Functions::ZeroFunction<dim>(
-                                                 space.n_components()),
-                                               held,
-                                               component);
-      std::vector<unsigned int> entries;
-      const IndexSet           &owned = space.owned_by_block()[field];
-      for (const types::global_dof_index dof : owned)
-        if (held.is_constrained(dof + space.first_dof(field)))
-          entries.push_back(owned.index_within_set(dof));
-      return entries;
-    }
-
-
-
-    double
-    product_at(const std::vector<unsigned int> &entries,
-               const Vector                    &a,
-               const Vector                    &b)
-    {
-      double sum = 0.;
-      for (const unsigned int entry : entries)
-        sum += a.begin()[entry] * b.begin()[entry];
-      return sum;
-    }
-  } // namespace
+    AffineConstraints<double> held =
+      make_unconstrained(space.owned(), space.relevant());
+    ComponentMask component(space.n_components(), false);
+    component.set(space.first_component(field), true);
+    VectorTools::interpolate_boundary_values(space.mapping(),
+                                             space.dof_handler(),
+                                             fixed_boundary_id,
+                                             Functions::ZeroFunction<dim>(
+                                               space.n_components()),
+                                             held,
+                                             component);
+    std::vector<unsigned int> entries;
+    const IndexSet           &owned = space.owned_by_block()[field];
+    for (const types::global_dof_index dof : owned)
+      if (held.is_constrained(dof + space.first_dof(field)))
+        entries.push_back(owned.index_within_set(dof));
+    return entries;
+  }
 
 
 
@@ -67,10 +52,11 @@ namespace ThermoContact
     if (!is_active())
       return;
     if (scene.sources.has_driven_temperature)
-      entries_[Field::temperature] = entries_of_end(space, Field::temperature);
+      entries_[Field::temperature] =
+        entries_of_fixed_end(space, Field::temperature);
     if (scene.sources.has_moving_end)
       entries_[Field::displacement] =
-        entries_of_end(space, Field::displacement);
+        entries_of_fixed_end(space, Field::displacement);
     heat_lift        = space.make_vector(Field::temperature);
     heat_product     = heat_lift;
     momentum_lift    = space.make_vector(Field::displacement);

@@ -96,34 +96,23 @@ namespace ThermoContact
         (data.end_traction && discretization.row().is_given()))
       {
         sources = 0.;
-        if (data.end_heat_flux)
-          integrate_face(contact_boundary_id,
-                         Field::temperature,
-                         *data.end_heat_flux);
-        if (data.left_heat_flux)
-          integrate_face(fixed_boundary_id,
-                         Field::temperature,
-                         *data.left_heat_flux);
-        if (data.end_traction && discretization.row().is_given())
-          integrate_face(contact_boundary_id,
-                         Field::displacement,
-                         *data.end_traction);
-        if (data.left_traction) // outward is against x
-          integrate_face(fixed_boundary_id,
-                         Field::displacement,
-                         *data.left_traction,
-                         -1.);
-        if (data.obstacle_warming)
-          integrate_face(contact_boundary_id,
-                         Field::temperature,
-                         *data.obstacle_warming,
-                         exchange_coefficient);
+        integrate_end(contact_boundary_id);
+        integrate_end(fixed_boundary_id);
         if (data.heat_source || data.body_force)
           integrate_volume();
         sources.compress(VectorOperation::add);
         add_sources(Field::temperature, heat);
         add_sources(Field::displacement, momentum);
       }
+    add_end_traction(momentum);
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_end_traction(Vector &momentum) const
+  {
     if (data.end_traction && !discretization.row().is_given())
       for (const auto &[node, entry] :
            discretization.contact_end().entries(Field::displacement))
@@ -133,6 +122,67 @@ namespace ThermoContact
           momentum.begin()[entry] +=
             n.weight * data.end_traction->value(n.position);
         }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::integrate_end(const types::boundary_id part)
+  {
+    if (part == contact_boundary_id)
+      {
+        if (data.end_heat_flux)
+          integrate_face(part, Field::temperature, *data.end_heat_flux);
+        if (data.end_traction && discretization.row().is_given())
+          integrate_face(part, Field::displacement, *data.end_traction);
+        if (data.obstacle_warming)
+          integrate_face(part,
+                         Field::temperature,
+                         *data.obstacle_warming,
+                         exchange_coefficient);
+        return;
+      }
+    if (data.left_heat_flux)
+      integrate_face(part, Field::temperature, *data.left_heat_flux);
+    if (data.left_traction) // outward is against x
+      integrate_face(part, Field::displacement, *data.left_traction, -1.);
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::assemble_end(const types::boundary_id part,
+                           const double             time,
+                           Vector                  &heat,
+                           Vector                  &momentum)
+  {
+    data.set_time(time);
+    set_zero(heat);
+    set_zero(momentum);
+    sources = 0.;
+    integrate_end(part);
+    sources.compress(VectorOperation::add);
+    add_sources(Field::temperature, heat);
+    add_sources(Field::displacement, momentum);
+    if (part == contact_boundary_id)
+      add_end_traction(momentum);
+  }
+
+
+
+  template <int dim>
+  Vector
+  Loads<dim>::weights_of_end(const types::boundary_id part,
+                             const Field::Block       field)
+  {
+    Vector weights = discretization.make_vector(field);
+    sources        = 0.;
+    integrate_face(part, field, Functions::ConstantFunction<dim>(1.));
+    sources.compress(VectorOperation::add);
+    add_sources(field, weights);
+    return weights;
   }
 
 

@@ -5,10 +5,13 @@
 namespace ThermoContact
 {
   NodeLaw
-  make_node_law(const SceneContact &contact, const double gap, double &position)
+  make_node_law(const SceneContact &contact,
+                const unsigned int  node,
+                const double        gap,
+                double             &position)
   {
     const double u = position;
-    NodeLaw      law(*contact.law);
+    NodeLaw      law(contact.law_at(node));
     law.rear_law = contact.rear_law.get();
     law.play     = gap + contact.rear_gap;
     position     = u - gap;
@@ -32,7 +35,7 @@ namespace ThermoContact
     laws.resize(gap.size());
     position = displacement;
     for (unsigned int i = 0; i < gap.size(); ++i)
-      laws[i] = make_node_law(contact, gap[i], position[i]);
+      laws[i] = make_node_law(contact, i, gap[i], position[i]);
   }
 
 
@@ -170,7 +173,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n; ++i)
       {
         double        position = values.displacement[i];
-        const NodeLaw law      = make_node_law(contact, state.gap[i], position);
+        const NodeLaw law = make_node_law(contact, i, state.gap[i], position);
         // it is left where the penetration ends
         if (law.law_of(law.side).can_be_silent())
           values.pressure[i] = law.continued_pressure(position);
@@ -220,7 +223,7 @@ namespace ThermoContact
   {
     const double p = state.contact_pressure[node];
     return (p < 0. ? -body.scene.contact.rear_gap : state.gap[node]) +
-           body.scene.contact.law_of(p < 0. ? -1 : 1).penetration(p);
+           body.scene.contact.law_at(node, p < 0. ? -1 : 1).penetration(p);
   }
 
 

@@ -18,11 +18,17 @@ namespace ThermoContact
     if (!scene.sources.has_moving_obstacle)
       return;
     for (const ContactNode<dim> &node : end.nodes())
-      {
-        gaps.emplace_back(*scene.gap_expression, node.position);
-        if (scene.contact.has_uniform_gap())
-          break;
-      }
+      if (node.meets_body())
+        {
+          gaps_of_bodies.push_back(TimeDerivatives(node.gap));
+          continue;
+        }
+      else
+        {
+          gaps.emplace_back(*scene.gap_expression, node.position);
+          if (scene.contact.has_uniform_gap())
+            break;
+        }
   }
 
 
@@ -33,11 +39,13 @@ namespace ThermoContact
     const double                  time,
     std::vector<TimeDerivatives> &derivatives) const
   {
+    const unsigned int first = gaps_of_bodies.size();
+    derivatives.assign(gaps_of_bodies.begin(), gaps_of_bodies.end());
     derivatives.resize(n_nodes);
-    for (unsigned int i = 0; i < gaps.size(); ++i)
-      derivatives[i] = gaps[i].derivatives(time);
-    for (unsigned int i = gaps.size(); i < n_nodes; ++i)
-      derivatives[i] = derivatives.front();
+    for (unsigned int i = first; i < n_nodes; ++i)
+      derivatives[i] = i - first < gaps.size() ?
+                         gaps[i - first].derivatives(time) :
+                         derivatives[first];
     const auto fail = [&](const std::string &fault, const std::string &remedy) {
       throw ComputationError(text("Contact/Gap = ",
                                   quote(gaps.front().expression.text()),

@@ -140,8 +140,7 @@ namespace ThermoContact
                  1,
                  c});
       }
-    result.algebraic = result.impulse = 0.;
-    result.impulses.clear();
+    result.start_sums();
     book(state, size, ends, result);
     result.energy = body.energy.energy(result.state);
     result.close_balance();
@@ -381,9 +380,9 @@ namespace ThermoContact
     };
     StepPath path;
     path.size       = size;
-    path.front      = start(*contact.law, u - state.gap[c], p);
+    path.front      = start(contact.law_at(c), u - state.gap[c], p);
     path.front_rate = (obstacle.gap[c] - state.gap[c]) / size;
-    path.rear       = start(contact.law_of(-1), -u - contact.rear_gap, -p);
+    path.rear       = start(contact.law_at(c, -1), -u - contact.rear_gap, -p);
     // bodies that rest side by side do not meet by the rounding of waves
     path.negligible_velocity =
       (body.scene.row.is_given() ? Tolerances::rounding_of_fronts :
@@ -439,7 +438,7 @@ namespace ThermoContact
     const double arriving = values.velocity + values.inner - values.old_middle +
                             contact.pressure / impedance;
     const int         side = contact.end_pressure < 0. ? -1 : 1;
-    const ContactLaw &law  = body.scene.contact.law_of(side);
+    const ContactLaw &law  = body.scene.contact.law_at(c, side);
     const double      rate = side > 0 ? obstacle.gap_rate[c] : 0.;
     end.end_pressure       = contact.end_pressure;
     if (const auto &now = end.releases.now; law.is_rigid() && now)
@@ -489,26 +488,40 @@ namespace ThermoContact
   BoxIntegrator::follow_masses(const unsigned int c,
                                const State       &state,
                                const StepPath    &path,
-                               EndContact        &end) const
+                               EndContact        &end)
   {
-    const double velocity = velocity_of(c, state);
-    const double acceleration =
-      2. * (path.free_velocity - velocity) / path.size;
+    // seen from an obstacle that moves along a parabola, too
+    const double start_rate = state.gap_rate[c];
+    const double rise       = 2. * (path.front_rate - start_rate);
+    const double velocity   = velocity_of(c, state) - start_rate;
+    const double change =
+      2. * (path.free_velocity - path.front_rate - velocity);
     end.masses = ThermoContact::follow_masses(
       {path.size,
        path.front,
        velocity,
-       acceleration,
+       change / path.size,
        state.contact_pressure[c] != 0.,
        *body.scene.parameters.contact.restitution});
-    // the midpoint rule changes velocities by twice the mean pressure
     const MassImpacts &masses = *end.masses;
-    end.contact.pressure      = -0.5 * masses.change / path.response;
+    end.end_velocity =
+      masses.velocity +
+      (masses.is_closed ? obstacle.gap_rate[c] : start_rate + rise);
+    // the midpoint rule changes velocities by twice the mean pressure
+    const double by_contact =
+      masses.is_closed ? end.end_velocity - start_rate - rise + masses.change :
+                         masses.change;
+    end.contact.pressure = -0.5 * by_contact / path.response;
     end.contact.velocity =
       path.free_velocity - path.response * end.contact.pressure;
-    end.end_velocity = masses.velocity;
+    double at_end = change;
+    if (body.obstacle.is_active())
+      {
+        body.obstacle.get_derivatives(present.last_loads, former_gaps);
+        at_end += rise - former_gaps[c].second * path.size;
+      }
     end.end_pressure = end.contact.end_pressure =
-      masses.is_closed ? 0.5 * acceleration * path.size / path.response : 0.;
+      masses.is_closed ? std::max(0., 0.5 * at_end / path.response) : 0.;
     end.contact.weight = 1.;
     // a mean power over the step, of the mass that response shows
     end.contact.damping_power = 0.5 * masses.loss / path.response;
@@ -576,8 +589,9 @@ namespace ThermoContact
     if (body.law().is_rigid() && contacts[c].is_of_masses())
       follow_masses(c, state, path, end);
     else if (body.law().is_active())
-      end.contact =
-        solve_step_contact(body.law(), body.scene.contact.law_of(-1), path);
+      end.contact = solve_step_contact(body.scene.contact.law_at(c),
+                                       body.scene.contact.law_at(c, -1),
+                                       path);
     end.releases = releases;
     if (auto &now = end.releases.now; now && body.law().is_rigid())
       {
@@ -799,7 +813,7 @@ namespace ThermoContact
       {
         const EndContact &end         = ends[c];
         new_state.contact_pressure[c] = end.end_pressure;
-        if (body.scene.contact.law_of(end.end_pressure < 0. ? -1 : 1)
+        if (body.scene.contact.law_at(c, end.end_pressure < 0. ? -1 : 1)
               .is_damped() ||
             (end.end_pressure == 0. && body.scene.contact.is_damped()))
           continue;
@@ -824,6 +838,19 @@ namespace ThermoContact
                   (place - u) * response.begin()[side.node] / all;
                 new_state.displacement.begin()[side.node] += way;
                 work_of_impacts += momentum_load.begin()[side.node] * way;
+              }
+            if (body.obstacle.is_active() && contacts[c].sides.size() == 1)
+              {
+                // at the velocities that the obstacle has at the impacts,
+                // instead of its mean one, by the balance of the mass
+                const double mass = 0.5 * size / all, v = velocity_of(c, state),
+                             change = 2. * (end.free_velocity - v),
+                             old_u =
+                               contacts[c].sides[0].value(state.displacement);
+                work_of_impacts +=
+                  mass * (0.5 * (end.end_velocity * end.end_velocity - v * v) -
+                          change / size * (place - old_u) + end.masses->loss) +
+                  end.contact.pressure * (new_state.gap[c] - state.gap[c]);
               }
           }
         else if (contacts[c].sides.size() == 1)
@@ -1007,7 +1034,7 @@ namespace ThermoContact
     const bool     has_waves = contact.has_waves();
     const auto     law_of    = [&](const double pressure) -> const auto &
     {
-      return body.scene.contact.law_of(pressure < 0. ? -1 : 1);
+      return body.scene.contact.law_at(c, pressure < 0. ? -1 : 1);
     };
     const double within =
       path.rear > 0. ? -path.rear : std::max(path.front, 0.);
@@ -1135,7 +1162,8 @@ namespace ThermoContact
                       StepResult                    &result)
   {
     set_equal(stage.velocity, rates.velocity);
-    result.contact_dissipation = 0.;
+    stage.load_time =
+      present.first_loads + 0.5 * (present.last_loads - present.first_loads);
     for (unsigned int c = 0; c < ends.size(); ++c)
       {
         stage.contact_pressure[c] = ends[c].contact.pressure;
@@ -1144,8 +1172,7 @@ namespace ThermoContact
       }
     for (unsigned int i = 0; i < stage.gap_rate.size(); ++i)
       stage.gap_rate[i] = (obstacle.gap[i] - state.gap[i]) / size;
-    const bool moves = body.scene.sources.has_moving_end;
-    if (moves)
+    if (body.scene.sources.has_moving_end || body.boundary_flows.is_active())
       {
         set_sum(stage.displacement,
                 state.displacement,
@@ -1157,7 +1184,6 @@ namespace ThermoContact
       }
 
     result.add_impulse(size, stage.contact_pressure, body);
-    result.dissipation = result.lateral_dissipation = 0.;
     result.work    = size * body.energy.obstacle_power(stage) + work_of_impacts;
     const auto add = [&](const double  weight,
                          const Vector &heat,
@@ -1174,6 +1200,8 @@ namespace ThermoContact
                                                     acceleration,
                                                     heat,
                                                     momentum_load);
+      result.add_boundaries(
+        part, stage, heating, acceleration, heat, momentum_load, body);
     };
     if (n_heat_stages == 0)
       add(1., heat_lift, heat_lift);

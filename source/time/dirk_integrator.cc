@@ -121,7 +121,7 @@ namespace ThermoContact
       }
     if (stage.failure.empty() &&
         (i + 1 < tableau->n_stages() || tableau->has_error_estimate() ||
-         driven.is_active()))
+         driven.is_active() || body.boundary_flows.is_active()))
       set_difference(accelerations[i],
                      1. / tau,
                      stage.velocity,
@@ -216,7 +216,7 @@ namespace ThermoContact
   {
     const double tau = tableau->gamma() * time_step.size;
 
-    start_sums(result);
+    result.start_sums();
     result.n_iterations = 0;
     start_drives(state, time_step);
     for (unsigned int i = 0; i < tableau->n_stages(); ++i)
@@ -241,6 +241,13 @@ namespace ThermoContact
                                              stage.temperature_rate,
                                              accelerations[i],
                                              {heat_load, momentum_load});
+        result.add_boundaries(weight,
+                              known,
+                              stage.temperature_rate,
+                              accelerations[i],
+                              heat_load,
+                              momentum_load,
+                              body);
       }
   }
 
@@ -326,34 +333,33 @@ namespace ThermoContact
       solve_heat_alone(state, tau, stage.temperature_rate);
 
     result.failure.clear();
-    result.n_iterations  = 0;
-    result.is_prescribed = true;
-    result.state         = state;
-    result.state.time    = time_step.end;
+    result.n_iterations    = 0;
+    result.is_prescribed   = true;
+    result.state           = state;
+    result.state.time      = time_step.end;
+    result.state.load_time = time_step.last_loads;
     result.state.temperature.add(tau, stage.temperature_rate);
     result.state.displacement.add(tau, state.velocity);
 
     set_pressures_of_law(body, result.state);
 
-    start_sums(result);
+    result.start_sums();
     book(result.state, tau, result);
     result.work += tau * driven.power(result.state,
                                       stage.temperature_rate,
                                       accelerations[0],
                                       {heat_load, momentum_load});
+    if (!driven.is_active())
+      set_zero(accelerations[0]); // the velocity stays
+    result.add_boundaries(tau,
+                          result.state,
+                          stage.temperature_rate,
+                          accelerations[0],
+                          heat_load,
+                          momentum_load,
+                          body);
     result.energy = body.energy.energy(result.state);
     result.close_balance();
-  }
-
-
-
-  template <int dim>
-  void
-  DirkIntegrator<dim>::start_sums(StepResult &result)
-  {
-    result.work = result.dissipation = result.algebraic = result.impulse = 0.;
-    result.impulses.clear();
-    result.contact_dissipation = result.lateral_dissipation = 0.;
   }
 
 

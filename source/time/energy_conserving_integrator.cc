@@ -123,6 +123,7 @@ namespace ThermoContact
       finish_contact(state, time_step, result.state);
 
     result.failure.clear();
+    result.start_sums();
     result.n_iterations  = rates.n_iterations;
     result.is_prescribed = false;
     result.dissipation   = size * body.energy.dissipation_rate(midpoint);
@@ -133,9 +134,26 @@ namespace ThermoContact
                                        rates.temperature_rate,
                                        acceleration,
                                        {heat_load, momentum_load});
-    result.impulse   = size * body.contact_end().mean(rates.pressure);
-    result.algebraic = 0.;
-    result.energy    = body.energy.energy(result.state);
+    result.impulse = size * body.contact_end().mean(rates.pressure);
+    if (body.boundary_flows.is_active())
+      {
+        set_sum(midpoint.displacement,
+                state.displacement,
+                0.5 * size,
+                rates.velocity);
+        set_sum(acceleration, result.state.velocity, -1., state.velocity);
+        acceleration *= 1. / size;
+        midpoint.load_time =
+          0.5 * (time_step.first_loads + time_step.last_loads);
+        result.add_boundaries(size,
+                              midpoint,
+                              rates.temperature_rate,
+                              acceleration,
+                              heat_load,
+                              momentum_load,
+                              body);
+      }
+    result.energy = body.energy.energy(result.state);
     result.close_balance();
   }
 

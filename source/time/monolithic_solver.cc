@@ -426,9 +426,10 @@ namespace ThermoContact
     std::vector<double>       slope(is_closed.size(), 0.);
     for (unsigned int i = 0; i < slope.size(); ++i)
       if (is_closed[i])
-        slope[i] = NodeLaw(body.scene.contact.law_of(pressure[i] < 0. ? -1 : 1))
-                     .tangent_of_pressure(pressure[i])
-                     .slope(receptance(i, i));
+        slope[i] =
+          NodeLaw(body.scene.contact.law_at(i, pressure[i] < 0. ? -1 : 1))
+            .tangent_of_pressure(pressure[i])
+            .slope(receptance(i, i));
     const std::vector<double> change =
       change_of_pressure(receptance, slope, displacement);
 

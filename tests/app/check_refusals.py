@@ -101,6 +101,7 @@ SCENES = [
     ("Contact/Rear dashpot", ("Contact/Rear gap=0.1", "Contact/Rear dashpot=0.5"),
      "Contact/Massless nodes=on", "Contact/Massless nodes=automatic",
      ("Contact/Massless nodes=on", "Contact/Rear dashpot=as in front")),
+    ("Contact/Rear stiffness", ("Contact/Rear gap=0.1",), "Contact/Rear stiffness=1e8", "Contact/Rear compliance=0.1"),
     # an obstacle whose temperature varies
     ("Boundary/right/Surroundings", (), "Boundary/right/Surroundings=5*sin(t",
      "Boundary/right/Surroundings=5*sin(t)", "Boundary/right/Surroundings=-5"),

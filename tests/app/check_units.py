@@ -145,6 +145,21 @@ def check_quantities():
                  "Model/Viscosity": ETA / (E * wave), "Scales/Time": wave,
                  "Time/End time": 1e-3 / wave,
                  "Output/Fields interval": float(f"{1e-3 / wave / 20:.6g}")})
+    # stiffnesses with exponents of their own, or that of section Contact
+    check_scene("stops.prm", {"Model/Fields": ("displacement", "displacement"),
+                              "Contact/Condition": ("power law", "power law"),
+                              "Contact/Exponent": ("1.5", "1.5"),
+                              "Contact/Stiffness": ("1e10", "1e10"),
+                              "Contact/Gap": ("1e-5", "10 um"),
+                              "Contact/Rear gap": ("1e-5", "10 um"),
+                              "Contact/Rear exponent": ("1", "1"),
+                              "Contact/Rear stiffness": ("2e7", "20 MN/m"),
+                              "Bodies/a/Length": ("1", "1 m"), "Bodies/b/Length": ("1", "1 m"),
+                              "Contacts/a b/Stiffness": ("3e9", "3e9"),
+                              "Time/End time": ("1e-3", "1 ms")},
+                {"Contact/Compliance": (E * A / 1e10)**(1 / 1.5) / L,
+                 "Contact/Rear compliance": E * A / 2e7 / L,
+                 "Contacts/a b/Compliance": (E * A / 3e9)**(1 / 1.5) / L})
 
 
 def check_expressions():
@@ -280,6 +295,10 @@ def check_heads():
     check("radiation, end", last(hot, "temperature_end"), 696.7603, 1e-6)
     check("radiation, heat", last(hot, "heat_flux_end"), 10323.97, 1e-6)
     check("radiation, way", last(hot, "displacement_end"), 1.524492e-3, 1e-6)
+    hours, entered, left = (hot.tables["boundaries.csv"][n] for n in ("time", "heat_left", "heat_right"))
+    hour = min(range(len(hours)), key=lambda i: abs(hours[i] - 19))
+    for heat in (entered, -left):
+        check("radiation, heat in the end", (heat[-1] - heat[hour]) / (hours[-1] - hours[hour]), 3716.63, 1e-6)
     switch = Run("si")  # of check_twins()
     check("switch, force", last(switch, "contact_force"), 1727.10, 3e-6)
     check("switch, end", last(switch, "temperature_end"), 20 + 21.0564, 3e-6)

@@ -31,7 +31,9 @@ VALUES = {
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
     "Contact/Damping": "0.5", "Contact/Dashpot": "0.5", "Contact/Stiffness": "1e8", "Rod/Lateral sides": "confined",
     "Contact/Rear compliance": "2", "Contact/Rear exponent": "2",
-    "Contact/Rear damping": "2", "Contact/Rear dashpot": "2",
+    "Contact/Rear damping": "2", "Contact/Rear dashpot": "2", "Contact/Rear stiffness": "1e8",
+    **{f"Contacts/{pair}/{name}": "2" for pair in ("a b", "b a")
+       for name in ("Compliance", "Exponent", "Damping", "Dashpot", "Stiffness")},
     "Contact/Gap": "0.2", "Contact/Rear gap": "0.3", "Contact/Massless nodes": "on",
     "Initial values/Temperature": "1", "Initial values/Displacement": "0.01*x",
     "Initial values/Velocity": "x", "Sources/Heat source": "1",
@@ -103,7 +105,8 @@ SCENES = [
      "Boundary/right/Heat exchange", HEATED, ()),
     ("Model/Fields = temperature", "Boundary/right/Support", ("Model/Fields=temperature",), ()),
     ("Model/Fields = displacement", "Boundary/right/Temperature", ("Model/Fields=displacement",), ()),
-    ("Contacts/a b/Condition = bonded", "Contacts/a b/Gap; Contacts/a b/Heat exchange",
+    ("Contacts/a b/Condition = bonded", "Contacts/a b/Gap; Contacts/a b/Heat exchange; Contacts/a b/Compliance; "
+     "Contacts/a b/Damping; Contacts/a b/Dashpot",
      ROW[:1] + ("Bodies/a/Length=1", "Bodies/b/Length=1", "Contacts/a b/Condition=bonded"),
      ROW[:1] + ("Bodies/a/Length=1", "Bodies/b/Length=1")),
     ("Bodies = a row, which has them", "Initial values/Temperature; Initial values/Displacement; Initial values/Velocity",
@@ -114,6 +117,11 @@ SCENES = [
     ("Model/Fields = temperature", "; ".join(f"Bodies/a/{name}" for name in (
         "Stiffness", "Density", "Viscosity", "Coupling", "Displacement", "Velocity")),
      ROW[1:] + ("Model/Fields=temperature",), ROW),
+    ("Model/Fields = temperature", "Contacts/b a/Compliance; Contacts/b a/Damping; Contacts/b a/Dashpot",
+     TWO[1:] + ("Model/Fields=temperature",), TWO),
+    ("Contact/Condition = rigid", "Contacts/b a/Compliance; Contacts/b a/Damping; Contacts/b a/Dashpot",
+     TWO + ("Contact/Condition=rigid",), TWO),
+    ("Contact/Condition = normal compliance", "Contacts/b a/Exponent", TWO, TWO + ("Contact/Condition=power law",)),
     ("Model/Fields = temperature", "Contacts/b a/Gap", TWO[1:] + ("Model/Fields=temperature",), TWO),
     ("Model/Fields = displacement", "Contacts/b a/Heat exchange", TWO + ("Model/Fields=displacement",), TWO),
     ("Model/Fields = temperature", "Bodies/a/Mass", ROW[1:] + ("Model/Fields=temperature", "Bodies/a/Kind=mass"),

@@ -14,6 +14,7 @@ def mass(name):
 
 FREE = ("Boundary/left/Support=free",)
 RIGID = ("Contact/Condition=rigid",)
+POWER = ("Contact/Condition=power law",)
 ALONE = ("Boundary/right/Support=free",)
 HELD = ("Boundary/right/Support=clamped",)
 STATIC = ("Model/Inertia=0",)
@@ -34,7 +35,9 @@ SCENES = [
     ("Time/Start", TWO + FIXED + ("Time/Scheme=backward euler",), "Time/Start=paper", "Time/Start=consistent"),
     ("Contact/Massless nodes", TWO + SDIRK, "Contact/Massless nodes=on", "Contact/Massless nodes=off"),
     ("Contact/Rear gap", TWO, "Contact/Rear gap=0.1", "Contact/Rear gap=none"),
-    ("Contact/Gap", TWO, "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1"),
+    ("Contact/Gap", TWO + ALONE + ("Contacts/a b/Gap=0.1",), "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1",
+     ("Contact/Gap=0.1+0.01*t", "Boundary/right/Support=contact")),
+    ("Contacts/a b/Gap", TWO, "Contact/Gap=0.1+0.01*t", ("Contact/Gap=0.1+0.01*t", "Contacts/a b/Gap=0.1")),
     # an end where nothing is met
     ("Boundary/right/Heat exchange", TWO + ALONE, "Boundary/right/Heat exchange=1+t", "Boundary/right/Heat exchange=1",
      ("Boundary/right/Heat exchange=1+t", "Boundary/right/Temperature=1")),
@@ -107,6 +110,13 @@ SCENES = [
      ("Bodies/b/Heat capacity=1+x", "Bodies/b/Kind=rod")),
     ("Contacts/a b/Heat exchange", TWO + ("Boundary/right/Heat exchange=1+gap",), "Contacts/a b/Heat exchange=2",
      "Contacts/a b/Heat exchange=none"),
+    # contacts with laws of their own
+    ("Contacts/a b/Compliance", TWO, "Contacts/a b/Compliance=0", "Contacts/a b/Compliance=1e-13",
+     "Contacts/a b/Compliance=none"),
+    ("Contacts/a b/Exponent", TWO + POWER, "Contacts/a b/Exponent=0.999", "Contacts/a b/Exponent=1"),
+    ("Contacts/a b/Dashpot", TWO + STATIC + HELD + ("Model/Viscosity=0",), "Contacts/a b/Dashpot=0.5",
+     "Contacts/a b/Dashpot=0", ("Contacts/a b/Dashpot=0.5", "Model/Viscosity=0.1")),
+    ("Contacts/a b/Stiffness", TWO, "Contacts/a b/Stiffness=1e8", "Contacts/a b/Compliance=0.1"),
     # ends that are held are of rods
     ("Dimension", HELD, "Dimension=2", "Dimension=1"),
     ("Dimension", ("Boundary/right/Temperature=1",), "Dimension=3", "Dimension=1"),

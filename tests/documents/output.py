@@ -26,7 +26,7 @@ SCENES = {
     "rod": {**SHORT, "Time/Step size": "automatic", "Output/Probes": "0.5; 1",
             "Output/Space-time interval": "0.01", "Time/End time": "0.2",
             "Output/Error bars": "true"},
-    "cooling": {**SHORT, "Boundary/sides/Heat exchange": "1", "Output/Period": "0.01"},
+    "cooling": {**SHORT, "Boundary/sides/Heat exchange": "1", "Output/Period": "0.01", "Output/Boundaries": "true"},
     "heat": {**SHORT, "Model/Fields": "temperature"},
     "motion": {**SHORT, "Model/Fields": "displacement", "Contact/Condition": "none"},
     "switch": {**SHORT, "Boundary/right/Heat exchange": "1+gap"},

@@ -219,8 +219,11 @@ def check_frame(folder):
 
 
 def check_periods(folder):
-    run = thermocontact.run({"Time/End time": 1, "Output/Period": 0.25},
+    run = thermocontact.run({"Time/End time": 1, "Output/Period": 0.25, "Output/Boundaries": True},
                             output=folder / "periods")
+    # heat at once, of a fixed temperature, is what the body has and what the obstacle gets
+    check("boundaries", numpy.allclose(run.boundaries["time"], run.contact["time"]) and
+          run.boundaries["heat_left"][-1] > 0 > run.boundaries["heat_right"][-1], run.boundaries["heat_left"])
     check("periods", numpy.allclose(run.poincare["time"], [0, 0.25, 0.5, 0.75, 1]),
           run.poincare["time"])
     try:

@@ -22,7 +22,8 @@
 //    impacts at t0 = 1 with velocity 2, then each e^n times 2 t0 later; at rest
 //    at t0 (1 + e)/(1 - e) = 3 with the pressure m gamma. Two balls, m = 1 and
 //    3, velocity 1 and 0, e = 1/2: velocities (1 - 3 e)/4 and (1 + e)/4 behind.
-//    The energy that impacts take is booked, to rounding.
+//    The energy that impacts take is booked, to rounding. The same with gravity
+//    1 and an obstacle that comes with the acceleration 1.
 // 5. Layers: a pressure 1 on the free left end of a rod with Z = 1 (length 1/2)
 //    bonded to one with Z = 3 (length 1) at a rigid obstacle: the front
 //    transmits 2 Z2/(Z1 + Z2) = 3/2, which a rigid obstacle doubles: p = 3 from
@@ -43,6 +44,16 @@
 //    differences; by Prony's method from p(6), ..., p(9), to 1e-3.
 // 9. All of it: rods, layers, masses, heat, k(gap, p), elastic contacts:
 //    E + D + N - W is that of the start to 1e-12.
+// 10. Three masses 1, 1, 3, the first with velocity 1, and an obstacle, with
+// the
+//    compliances 0.04, 0.01, 0.09 of their own and the gaps 0, 1, 1: one
+//    contact after the other, each with the reduced mass m = 1/2, 3/4, 1/2, 3
+//    and the velocity w = 1, 1, 1/2, 1/2: from 0, d1 + 1 - d1/2, ... on (masses
+//    of equal weight exchange velocities, 1 and 3 part with -1/2 and 1/2) for
+//    d = pi sqrt(m eps), with the force w sqrt(m/eps) and the impulse 2 m w. By
+//    sdirk4 with a tolerance of 1e-8, whose steps end at each event; by box to
+//    its order 2, impulses to rounding. Laws with an exponent, damping and a
+//    dashpot of their own are those of section Contact, to rounding.
 
 #include <algorithm>
 #include <functional>
@@ -177,16 +188,16 @@ namespace
 
 
   void
-  check_balls()
+  check_ball(const std::string &name,
+             const Overrides   &falls,
+             const double       bound)
   {
     const RecordedRun ball =
       run<1>("",
-             elastic + body("ball", {"Kind=mass", "Mass=3"}) +
+             elastic + body("ball", {"Kind=mass", "Mass=3"}) + falls +
                Overrides{"Boundary/left/Support=free",
                          "Contact/Condition=rigid",
-                         "Contact/Gap=1",
                          "Contact/Restitution=0.5",
-                         "Sources/Body force=2",
                          "Time/End time=3.7"});
     double time = 0., velocity = 0., hit = 1., speed = 2.;
     for (unsigned int n = 0; n < 8; ++n)
@@ -199,15 +210,26 @@ namespace
         hit += speed; // twice speed / gravity
       }
     const StepRecord &last = ball.rows.back();
-    deallog << "ball: impacts " << within(time, 1e-12) << ", velocities "
+    deallog << name << ": impacts " << within(time, 1e-12) << ", velocities "
             << within(velocity, 1e-11) << ", at rest "
             << within(std::abs(ball.events.back().time - 3.), 1e-10)
             << ", pressure " << within(std::abs(last.contact_force - 6.), 1e-10)
             << ", energy "
             << within(std::abs(last.energy + last.contact_dissipation -
                                last.work),
-                      1e-11)
+                      bound)
             << std::endl;
+  }
+
+
+
+  void
+  check_balls()
+  {
+    check_ball("ball", {"Contact/Gap=1", "Sources/Body force=2"}, 1e-11);
+    check_ball("ball, obstacle that gets faster",
+               {"Contact/Gap=1-t^2/2", "Sources/Body force=1"},
+               1e-11);
     const RecordedRun balls =
       run<1>("",
              elastic + body("a", {"Kind=mass", "Mass=1", "Velocity=1"}) +
@@ -412,6 +434,97 @@ namespace
 
 
 
+  Overrides
+  three_masses(const std::string &scheme)
+  {
+    return elastic + free_ends + body("a", {"Kind=mass", "Velocity=1"}) +
+           body("b", {"Kind=mass"}) + body("c", {"Kind=mass", "Mass=3"}) +
+           Overrides{"Boundary/right/Support=contact",
+                     "Contact/Gap=1",
+                     "Contacts/a b/Gap=0",
+                     "Time/Scheme=" + scheme,
+                     "Time/Tolerance=1e-8",
+                     "Time/End time=6"};
+  }
+
+
+
+  void
+  check_own_laws(const std::string &scheme, const double bound)
+  {
+    const RecordedRun result =
+      run<1>("",
+             three_masses(scheme) + Overrides{"Contact/Compliance=0.09",
+                                              "Contacts/a b/Compliance=0.04",
+                                              "Contacts/b c/Compliance=0.01"});
+    const double pi     = dealii::numbers::PI;
+    const double first  = pi * std::sqrt(0.5 * 0.04);
+    const double second = pi * std::sqrt(0.75 * 0.01);
+    const double third  = pi * std::sqrt(3. * 0.09);
+    const double meet   = 1. + 0.5 * first;
+    // the way of the centre of b and c during their contact, and so of both
+    const double x       = 0.25 * second;
+    const double back    = meet + second + (1. + x - 0.5 * first) / 0.5;
+    const double ahead   = meet + second + (1. - x) / 0.5;
+    const double times[] = {
+      0., first, meet, meet + second, back, ahead, back + first, ahead + third};
+    double time = 0., impulse = 0., force = 0.;
+    for (unsigned int i = 0; i < 8 && i < result.events.size(); ++i)
+      raise(time, std::abs(result.events[i].time - times[i]));
+    const double impulses[] = {1.5, 1.5, 3.},
+                 forces[]   = {std::sqrt(0.5 / 0.04),
+                               std::sqrt(0.75 / 0.01),
+                               0.5 * std::sqrt(3. / 0.09)};
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        double peak = 0.;
+        for (const StepRecord &row : result.rows)
+          raise(peak, row.contacts[i].contact_force);
+        raise(force, std::abs(peak / forces[i] - 1.));
+        raise(impulse,
+              std::abs(result.rows.back().contacts[i].contact_impulse -
+                       impulses[i]));
+      }
+    deallog << "own laws, " << scheme << ": events " << result.events.size()
+            << ", times " << within(time, bound) << ", impulses "
+            << within(impulse, scheme == "box" ? 1e-12 : bound) << ", forces "
+            << within(force, 1e-3) << std::endl;
+  }
+
+
+
+  /** Laws of their own and the same law for all. */
+  void
+  check_same_laws(const std::string &scheme)
+  {
+    const Overrides condition = {"Contact/Condition=power law"};
+    const Overrides all       = {"Contact/Compliance=0.02",
+                                 "Contact/Exponent=1.5",
+                                 "Contact/Damping=0.3",
+                                 "Contact/Dashpot=0.2"};
+    Overrides       own       = {"Contact/Compliance=0.02",
+                                 "Contact/Exponent=1.5",
+                                 "Contact/Damping=0.3",
+                                 "Contact/Dashpot=0.2"};
+    for (const std::string pair : {"a b", "b c"})
+      for (const std::string &one : all)
+        own.push_back("Contacts/" + pair + one.substr(one.find('/')));
+    for (unsigned int i = 0; i < all.size(); ++i)
+      own[i] = own[i].substr(0, own[i].find('=') + 1) +
+               std::vector<std::string>{"0.5", "1", "0", "0"}[i];
+    const Overrides   apart = {"Boundary/right/Support=free"};
+    const RecordedRun one =
+      run<1>("", three_masses(scheme) + condition + apart + all);
+    const RecordedRun two =
+      run<1>("", three_masses(scheme) + condition + apart + own);
+    deallog << "the same laws, " << scheme << ": "
+            << within(difference(table_of(one.rows), table_of(two.rows)), 1e-12)
+            << ", events " << one.events.size() << ' ' << two.events.size()
+            << std::endl;
+  }
+
+
+
   void
   check_audit()
   {
@@ -496,5 +609,9 @@ main_rows()
   check_parts();
   check_resistances();
   check_rattling_rods();
+  check_own_laws("box", 2e-5);
+  check_own_laws("sdirk4", 1e-7);
+  check_same_laws("box");
+  check_same_laws("sdirk4");
   check_audit();
 }

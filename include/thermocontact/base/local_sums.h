@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -130,6 +131,47 @@ namespace ThermoContact
   set_zero(Vector &y)
   {
     std::fill(y.begin(), y.end(), 0.);
+  }
+
+
+  // of the entries of this process
+
+  inline double
+  local_sum(const Vector &x)
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+      sum += x.begin()[i];
+    return sum;
+  }
+
+  inline double
+  local_product(const Vector &x, const Vector &y)
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+      sum += x.begin()[i] * y.begin()[i];
+    return sum;
+  }
+
+  inline double
+  sum_at(const std::vector<unsigned int> &entries, const Vector &x)
+  {
+    double sum = 0.;
+    for (const unsigned int entry : entries)
+      sum += x.begin()[entry];
+    return sum;
+  }
+
+  inline double
+  product_at(const std::vector<unsigned int> &entries,
+             const Vector                    &x,
+             const Vector                    &y)
+  {
+    double sum = 0.;
+    for (const unsigned int entry : entries)
+      sum += x.begin()[entry] * y.begin()[entry];
+    return sum;
   }
 } // namespace ThermoContact
 

@@ -298,6 +298,9 @@ namespace ThermoContact
       double change_of_velocity = 0.;
 
       int obstacle = 1; ///< 1 or -1, in front or behind
+
+      /** Of each contact of a row with several; empty: nothing changes. */
+      std::vector<Kind> of_contacts = {};
     };
 
     /**

@@ -3,6 +3,7 @@
 #ifndef thermocontact_input_body_parameters_h
 #define thermocontact_input_body_parameters_h
 
+#include <thermocontact/input/own_law.h>
 #include <thermocontact/input/parameter_text.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -66,6 +67,7 @@ namespace ThermoContact
     std::string           condition = "contact";
     std::optional<double> gap;           ///< none: Contact/Gap
     std::optional<double> heat_exchange; ///< none: Boundary/right
+    OwnLaw                own_law{"", "", "none", {}, {}};
 
     bool
     is_bonded() const

@@ -9,6 +9,7 @@
 #include <thermocontact/input/body_parameters.h>
 #include <thermocontact/input/declared_entries.h>
 #include <thermocontact/input/expression.h>
+#include <thermocontact/input/own_law.h>
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/scheme.h>
 
@@ -16,6 +17,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -141,9 +143,7 @@ namespace ThermoContact
     std::string           gap_expression;  ///< or else in y, z, t
     std::optional<double> rear_gap; ///< $g_2$; none: there is no rear stop
 
-    /** Entries of the law of the rear stop by names of the others; none: as in
-     * front. */
-    std::map<std::string, std::optional<double>> of_rear_law;
+    OwnLaw own_rear_law{"Contact", "Rear", "as in front", {}, {}};
 
     std::optional<double> stiffness;   ///< N/m^m, in SI units; in compliance
     std::optional<double> restitution; ///< $e$ of rigid contacts of masses
@@ -151,25 +151,14 @@ namespace ThermoContact
 
     /** True if there is a rear stop with an entry of its own. */
     bool
-    has_own_rear_law() const;
-
-    /** The numbers of its law. */
-    ContactLawParameters
-    rear_law() const;
-
-    /** The laws of the stops that there are. */
-    std::vector<std::unique_ptr<const ContactLaw>>
-    make_laws() const;
+    has_own_rear_law() const
+    {
+      return rear_gap && own_rear_law.is_given();
+    }
 
     void
     add_parameters(ParameterHandler &prm);
   };
-
-
-
-  /** The entry of section Contact with which a rear stop has its own value. */
-  std::string
-  name_of_rear_entry(const std::string &entry);
 
 
 
@@ -343,6 +332,7 @@ namespace ThermoContact
     double      fields_interval  = 0.1;
     std::string fields_cells     = "linear";
     double      contact_interval = 0.;
+    bool        boundaries       = false;
     std::string probes; ///< read by probe_positions()
     double      space_time_interval = 0.;
     double      period              = 0.;    ///< of poincare.csv
@@ -458,6 +448,14 @@ namespace ThermoContact
     ScalesParameters        scales;
     RodParameters           rod;
     StudyParameters         study;
+
+    /** The laws with numbers of their own that the scene has. */
+    std::vector<const OwnLaw *>
+    own_laws() const;
+
+    /** All laws of the scene, that of section Contact first. */
+    std::vector<std::unique_ptr<const ContactLaw>>
+    make_contact_laws() const;
 
     /**
      * The names that an expression of the entry @p path may have; theta_A is

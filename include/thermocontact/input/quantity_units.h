@@ -34,10 +34,10 @@ namespace ThermoContact
    *
    * Kinds of quantities are words: "time", "length" (of displacements),
    * "position", "velocity", "stress", "force", "force × time", "force ×
-   * length", "temperature", "temperature difference", "heat flux", "energy";
-   * of entries alone "body force", "compliance", "damping", "heat source",
-   * "heat exchange", "heat loss" (per volume); "s" and "MB" of the computer; ""
-   * a number.
+   * length", "temperature", "temperature difference", "heat flux", "heat",
+   * "energy"; of entries alone "body force", "compliance", "damping", "heat
+   * source", "heat exchange", "heat loss" (per volume); "s" and "MB" of the
+   * computer; "" a number.
    */
   class QuantityUnits
   {

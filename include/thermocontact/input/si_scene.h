@@ -118,6 +118,10 @@ namespace ThermoContact
     in_scene_variables(const Assignment  &assignment,
                        const std::string &text) const;
 
+    /** Paths of the stiffnesses of contact laws that are given. */
+    std::vector<std::string>
+    given_stiffnesses() const;
+
     /** Exponent m of the contact law that the entry at @p path is of. */
     double
     law_exponent(const std::string &path) const;
@@ -130,7 +134,7 @@ namespace ThermoContact
 
 
   /**
-   * Refuses units, and Contact/Stiffness, in a file without section Rod.
+   * Refuses units, and stiffnesses of contacts, in a file without section Rod.
    *
    * @throw InputError
    */

@@ -35,6 +35,10 @@ namespace ThermoContact
   CsvColumns<ContactRecord>
   columns_of_row_contact();
 
+  /** The columns of boundaries.csv, of the fields that the scene has. */
+  CsvColumns<StepRecord>
+  boundary_columns(const Scene &scene);
+
   /** The columns of steps.csv. */
   CsvColumns<StepAttempt>
   attempt_columns();

@@ -114,6 +114,7 @@ namespace ThermoContact
     PointValues<dim>                                     probe_values;
     CsvFile<StepRecord>                                  contact_file;
     CsvFile<StepRecord>                                  poincare_file;
+    CsvFile<StepRecord>                                  boundaries_file;
     CsvFile<EventRow>                                    events_file;
     CsvFile<StepAttempt>                                 steps_file;
     CsvFile<ProbeRow>                                    probes_file;

@@ -47,6 +47,9 @@ namespace ThermoContact
     double       gap; ///< $g$ of the undeformed bodies
 
     std::optional<double> exchange; ///< $k$ of its own
+
+    /** All numbers of a contact law of its own. */
+    std::optional<ContactLawParameters> law;
   };
 
 
@@ -80,8 +83,7 @@ namespace ThermoContact
     std::vector<RowContact> contacts;
 
     /** The last body may meet the obstacle of section Contact. */
-    bool   meets_obstacle  = false;
-    double gap_of_obstacle = 0.; ///< $g$ of the undeformed row
+    bool meets_obstacle = false;
 
     bool
     is_given() const
@@ -166,7 +168,8 @@ namespace ThermoContact
 
   /**
    * @param parameters whose bodies have numbers of cells
-   * @throw InputError if a pair is not of neighbours, or bonded to a mass
+   * @throw InputError if a pair is not of neighbours, bonded to a mass, or has
+   *   no gap
    */
   BodyRow
   resolve_row(const Parameters &parameters);

@@ -249,6 +249,10 @@ namespace ThermoContact
     /** Of the obstacle behind the end, of the same kind; none: as in front. */
     std::unique_ptr<const ContactLaw> rear_law;
 
+    /** Of the contacts of a row that have laws of their own, of the same kind;
+     * none: as the obstacle. Empty: none has. */
+    std::vector<std::unique_ptr<const ContactLaw>> pair_laws;
+
     /**
      * $g$ of the undeformed body, at $t=0$ if the obstacle moves; NaN if it is
      * not the same everywhere.
@@ -279,26 +283,52 @@ namespace ThermoContact
       return side < 0 && rear_law ? *rear_law : *law;
     }
 
+    /** The law of a contact node, in front of it, 1, or behind, -1. */
+    const ContactLaw &
+    law_at(const unsigned int node, const int side = 1) const
+    {
+      return node < pair_laws.size() && pair_laws[node] ? *pair_laws[node] :
+                                                          law_of(side);
+    }
+
+    /** True if @p condition holds for a law of the scene. */
+    template <typename Condition>
+    bool
+    any_law(const Condition &condition) const
+    {
+      return condition(*law) || condition(law_of(-1)) ||
+             std::any_of(pair_laws.begin(),
+                         pair_laws.end(),
+                         [&](const auto &one) {
+                           return one && condition(*one);
+                         });
+    }
+
     /** A pressure depends on the velocity. */
     bool
     is_damped() const
     {
-      return law->is_damped() || law_of(-1).is_damped();
+      return any_law([](const ContactLaw &one) { return one.is_damped(); });
     }
 
     /** One of the obstacles has $d>0$, (M4.2). */
     bool
     has_dashpot() const
     {
-      return law->dashpot() > 0. || law_of(-1).dashpot() > 0.;
+      return any_law([](const ContactLaw &one) { return one.dashpot() > 0.; });
     }
 
-    /** Of the harder obstacle that has one. */
+    /** Of the hardest obstacle that has one. */
     std::optional<double>
     compliance() const
     {
-      const auto front = law->compliance(), rear = law_of(-1).compliance();
-      return front && rear ? std::min(*front, *rear) : front ? front : rear;
+      std::optional<double> smallest;
+      any_law([&](const ContactLaw &one) {
+        if (const auto compliance = one.compliance())
+          smallest = std::min(smallest.value_or(infinity), *compliance);
+        return false;
+      });
+      return smallest;
     }
 
     bool

@@ -144,8 +144,8 @@ namespace ThermoContact
     Reset<dim>      &reset;
 
     /**
-     * One of all nodes; or, where a row has several contacts, one of each, and
-     * steps leave contact to the law.
+     * One of all nodes; or, where a row has several contacts, one of each: then
+     * stages leave contact to the law, and steps end where it changes.
      */
     std::vector<EventLocator>    locators;
     std::vector<ContactProgress> old_progress; ///< before accept()
@@ -160,9 +160,20 @@ namespace ThermoContact
       return locators.size() > 1;
     }
 
+    /** The first change of a contact of a row within the step, or all that end
+     * it. */
+    EventLocator::Finding
+    judge_several(const bool is_aimed, const BodyScales &scales) const;
+
     /** The contacts of a row have events of their own. */
     void
-    accept_several(const StepResult &result, std::vector<ContactEvent> &events);
+    accept_several(const StepResult            &result,
+                   const EventLocator::Finding &finding,
+                   std::vector<ContactEvent>   &events);
+
+    /** No contact is supposed to stay as it is. */
+    void
+    finish_by_law();
 
     /** Contact changes at the start of the step. */
     void

@@ -78,7 +78,8 @@ namespace ThermoContact
 
     EnergyTerms energy_terms; ///< the terms of energy; not in the file
 
-    std::vector<ContactRecord> contacts; ///< of a row of bodies; likewise
+    std::vector<ContactRecord> contacts;   ///< of a row of bodies; likewise
+    BoundarySums               boundaries; ///< up to there; likewise
 
     /**
      * The columns of contact.csv in their order: calls @p column with the name
@@ -145,7 +146,7 @@ namespace ThermoContact
         if constexpr (std::is_member_object_pointer<decltype(value)>::value)
           archive &(this->*value);
       });
-      archive &energy_terms &contacts;
+      archive &energy_terms &contacts &boundaries;
     }
   };
 

@@ -204,11 +204,19 @@ namespace ThermoContact
     momentum_load(const double time) const;
 
     /**
-     * Energy::work_of_motion() of the change that @p move, without arguments, makes in the displacement of @p state.
+     * Energy::work_of_motion() of the change that @p move, without arguments,
+     * makes in the displacement of the state; books what goes through the
+     * boundary.
      */
     template <class Motion>
     double
-    work_of(State &state, const Motion &move) const;
+    work_of(StepResult &result, const Motion &move) const;
+
+    /** Books BoundaryFlows::jump() from these values to the state. */
+    void
+    book_boundaries(const Vector &old_temperature,
+                    const Vector &old_displacement,
+                    StepResult   &result) const;
 
     /** Velocities of the contact nodes less those of their local obstacles. */
     std::vector<double>

@@ -44,9 +44,26 @@ namespace ThermoContact
     double max_penetration   = nan;
     double max_contact_force = max_penetration;
 
-    // the same between step ends, as far as these tell
-    SampledPeak penetration_peak;
-    SampledPeak force_peak;
+    /** The same of a contact between step ends, as far as these tell. */
+    struct Peaks
+    {
+      SampledPeak penetration, force;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &penetration &force;
+      }
+    };
+
+    std::vector<Peaks> peaks; ///< of the end, or of each contact of a row
+
+    double
+    peak_force() const;
+
+    double
+    peak_penetration() const;
 
     /** Warnings for the user although the run goes on. */
     std::vector<std::string> warnings;
@@ -77,8 +94,7 @@ namespace ThermoContact
     serialize(Archive &archive, const unsigned int)
     {
       archive &record &events &n_rejected_steps &max_energy_increase
-        &max_penetration &max_contact_force &penetration_peak &force_peak
-          &warnings;
+        &max_penetration &max_contact_force &peaks &warnings;
     }
   };
 } // namespace ThermoContact

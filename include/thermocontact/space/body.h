@@ -5,6 +5,7 @@
 
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/assembled_space.h>
+#include <thermocontact/space/boundary_flows.h>
 #include <thermocontact/space/driven_end.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/loads.h>
@@ -53,6 +54,7 @@ namespace ThermoContact
     const Energy<dim>                                energy;
     const DrivenEnd<dim>                             driven_end;
     const ObstacleMotion<dim>                        obstacle;
+    BoundaryFlows<dim>                               boundary_flows;
 
     /** Null where no coefficient depends on the temperature. */
     const std::unique_ptr<const NonlinearRod> nonlinear;

@@ -253,7 +253,8 @@ namespace ThermoContact
 
     /** Where the bodies of a row can meet, from the left. */
     std::vector<ContactNode<dim>>
-    find_nodes_of_row(const Discretization<dim> &discretization) const;
+    find_nodes_of_row(const Discretization<dim> &discretization,
+                      const Function<dim>       &gap) const;
 
     /** All nodes of the end; those without weight last. */
     std::vector<ContactNode<dim>>

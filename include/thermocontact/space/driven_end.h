@@ -23,6 +23,17 @@ namespace ThermoContact
 
 
   /**
+   * Positions of the unknowns of the fixed end within the locally owned part of
+   * a block: temperatures, or displacements along the axis.
+   */
+  template <int dim>
+  std::vector<unsigned int>
+  entries_of_fixed_end(const Discretization<dim> &space,
+                       const Field::Block         field);
+
+
+
+  /**
    * The fixed end of a scene in which its temperature or its displacement is a
    * function of time. Constrained unknowns then have values and rates that are
    * not zero, and both act on the rest of the body through the columns of the

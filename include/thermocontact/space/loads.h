@@ -55,6 +55,17 @@ namespace ThermoContact
     void
     assemble(const double time, Vector &heat, Vector &momentum);
 
+    /** The part of both loads that acts on one end, without outer_heat(). */
+    void
+    assemble_end(const types::boundary_id part,
+                 const double             time,
+                 Vector                  &heat,
+                 Vector                  &momentum);
+
+    /** $\int\varphi_i$ over an end, of the first component of a field. */
+    Vector
+    weights_of_end(const types::boundary_id part, const Field::Block field);
+
     /** The derivative in time of $\ell_u$, of the branch that holds then. */
     void
     assemble_momentum_rate(const double time, Vector &momentum);
@@ -90,6 +101,14 @@ namespace ThermoContact
                    const Field::Block       field,
                    const Function<dim>     &load,
                    const double             factor = 1.);
+
+    /** Adds what acts on an end, but for the traction at contact nodes. */
+    void
+    integrate_end(const types::boundary_id part);
+
+    /** Adds the traction at contact nodes. */
+    void
+    add_end_traction(Vector &momentum) const;
 
     /** Adds heat source and body force. */
     void

@@ -12,12 +12,13 @@
 namespace ThermoContact
 {
   /**
-   * The law of a node whose gap in front is @p gap.
+   * The law of a contact node whose gap in front is @p gap.
    *
    * @param position in: its displacement; out: as below
    */
   NodeLaw
   make_node_law(const SceneContact &contact,
+                const unsigned int  node,
                 const double        gap,
                 double             &position);
 

@@ -58,7 +58,12 @@ namespace ThermoContact
     const unsigned int  n_nodes;
     const SceneContact &contact;
 
-    /** The gaps at all nodes, or the same one; empty if it rests. */
+    /** The gaps between the bodies of a row, whose nodes are the first ones;
+     * they stay. */
+    std::vector<TimeDerivatives> gaps_of_bodies;
+
+    /** The gaps at all nodes before the obstacle, or the same one; empty if it
+     * rests. */
     std::vector<TimeFunction> gaps;
 
     mutable std::vector<TimeDerivatives> scratch;

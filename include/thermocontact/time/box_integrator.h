@@ -233,7 +233,7 @@ namespace ThermoContact
     follow_masses(const unsigned int c,
                   const State       &state,
                   const StepPath    &path,
-                  EndContact        &end) const;
+                  EndContact        &end);
 
     /** Velocity of a contact at the start of a step. */
     double

@@ -186,10 +186,6 @@ namespace ThermoContact
     void
     solve_heat_alone(const State &state, const double tau, Vector &rate);
 
-    /** Sums over the stages begin at 0. */
-    static void
-    start_sums(StepResult &result);
-
     /** Adds the stage that ends in @p stage_state with its weight. */
     void
     book(const State &stage_state, const double weight, StepResult &result);

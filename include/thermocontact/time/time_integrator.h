@@ -34,6 +34,8 @@ namespace ThermoContact
     /** The same of each contact of a row; else empty. */
     std::vector<double> impulses;
 
+    BoundarySums boundaries; ///< with Output/Boundaries
+
     unsigned int n_iterations  = 0;     ///< of the stages, added up
     bool         is_prescribed = false; ///< the paper's first step, (D5.1)
 
@@ -68,6 +70,37 @@ namespace ThermoContact
       impulses.resize(pressure.size(), 0.);
       for (unsigned int i = 0; i < pressure.size(); ++i)
         impulses[i] += duration * pressure[i];
+    }
+
+    /** Starts the sums of a step. */
+    void
+    start_sums()
+    {
+      work = dissipation = algebraic = impulse = 0.;
+      contact_dissipation = lateral_dissipation = 0.;
+      impulses.clear();
+      boundaries = {};
+    }
+
+    /** Adds what goes through the boundary in a time: BoundaryFlows::rates().
+     */
+    template <int dim>
+    void
+    add_boundaries(const double  duration,
+                   const State  &stage,
+                   const Vector &temperature_rate,
+                   const Vector &acceleration,
+                   const Vector &heat_load,
+                   const Vector &momentum_load,
+                   Body<dim>    &body)
+    {
+      if (body.boundary_flows.is_active())
+        boundaries.add(duration,
+                       body.boundary_flows.rates(stage,
+                                                 temperature_rate,
+                                                 acceleration,
+                                                 heat_load,
+                                                 momentum_load));
     }
 
     /** The numerical dissipation becomes what the balance of the rest lacks. */

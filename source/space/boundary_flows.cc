@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/local_sums.h>
+#include <thermocontact/space/boundary_flows.h>
+#include <thermocontact/space/driven_end.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace ThermoContact
+{
+  template <int dim>
+  BoundaryFlows<dim>::BoundaryFlows(
+    const Scene                           &scene,
+    const Discretization<dim>             &discretization,
+    const ThermoviscoelasticOperator<dim> &equations,
+    const Surroundings<dim>               &surroundings,
+    Loads<dim>                            &loads)
+    : scene(scene)
+    , discretization(discretization)
+    , equations(equations)
+    , surroundings(surroundings)
+    , loads(loads)
+  {
+    if (!is_active())
+      return;
+    for (const types::boundary_id part :
+         {fixed_boundary_id, contact_boundary_id})
+      ends.push_back(make_end(part));
+    heat_of_end       = discretization.make_vector(Field::temperature);
+    heat_residual     = heat_of_end;
+    heat_product      = heat_of_end;
+    momentum_of_end   = discretization.make_vector(Field::displacement);
+    momentum_residual = momentum_of_end;
+    if (!scene.fields.has_temperature || !scene.heat.has_lateral_exchange())
+      return;
+    Vector ones(heat_of_end);
+    ones = 1.;
+    discretization.set_zero_in_gaps(Field::temperature, ones);
+    sides = heat_of_end;
+    equations.lateral_exchange.vmult(sides, ones);
+    outside_sides = scene.heat.ambient_temperature * local_product(sides, ones);
+  }
+
+
+
+  template <int dim>
+  typename BoundaryFlows<dim>::End
+  BoundaryFlows<dim>::make_end(const types::boundary_id part)
+  {
+    const bool                is_left  = part == fixed_boundary_id;
+    const SceneHeat          &heat     = scene.heat;
+    const BoundaryParameters &boundary = scene.parameters.boundary;
+    const SceneFields        &fields   = scene.fields;
+    const auto               &left     = boundary.left;
+    const auto               &right    = boundary.right;
+    const bool                has_given_temperature =
+      is_left ? heat.has_given_temperature : bool(heat.right_temperature);
+    const bool is_held = is_left ? !scene.has_free_end : right.is_clamped();
+    const bool has_exchange = fields.has_temperature && !has_given_temperature;
+    const bool has_force    = fields.has_displacement && !is_held;
+    const bool has_springs  = has_force && dim == 1;
+    const std::array<bool, 2> is_given  = {{has_given_temperature, is_held}},
+                              has_field = {{fields.has_temperature,
+                                            fields.has_displacement}};
+    End end{part,
+            std::vector<Vector>(2),
+            std::vector<std::vector<unsigned int>>(2),
+            !has_exchange ? 0. :
+            is_left       ? heat.left_exchange :
+                            heat.linear_coefficient(),
+            is_left ? heat.fixed_end_temperature : heat.obstacle_temperature,
+            !has_springs ? 0. :
+            is_left      ? left.spring :
+                           right.spring,
+            !has_springs ? 0. :
+            is_left      ? left.dashpot :
+                           right.dashpot,
+            is_left ? &BoundarySums::heat_left : &BoundarySums::heat_right,
+            is_left ? &BoundarySums::impulse_left :
+                      &BoundarySums::impulse_right,
+            is_left ? &BoundarySums::work_left : &BoundarySums::work_right};
+    for (const Field::Block field : {Field::temperature, Field::displacement})
+      if (has_field[field])
+        {
+          end.weights[field] = loads.weights_of_end(part, field);
+          if (is_given[field] && is_left)
+            end.given[field] = entries_of_fixed_end(discretization, field);
+          else if (is_given[field])
+            end.given[field] = {discretization.entry_of_right_end(field)};
+        }
+    return end;
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryFlows<dim>::set_heat_residual(const State  &state,
+                                        const Vector &temperature_rate,
+                                        const Vector &heat_load)
+  {
+    equations.heat_mass.vmult(heat_residual, temperature_rate);
+    equations.conduction.add(1.,
+                             state.temperature,
+                             heat_residual,
+                             heat_product);
+    if (scene.material.has_heating())
+      equations.divergence.add(scene.material.heating,
+                               state.velocity,
+                               heat_residual,
+                               heat_product);
+    heat_residual -= heat_load;
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryFlows<dim>::heat_by_law(const State &state) const
+  {
+    if (scene.heat.exchange->is_constant() || scene.heat.right_temperature)
+      return 0.;
+    const ContactEnd<dim> &end = discretization.contact_end();
+    std::vector<double>    temperature;
+    end.get_values(Field::temperature, state.temperature, temperature);
+    double sum = 0.;
+    for (unsigned int i = 0; i < temperature.size(); ++i)
+      if (!end.nodes()[i].meets_body())
+        sum -= end.share(i) * surroundings.flux(i,
+                                                state.exchange_coefficient[i],
+                                                temperature[i],
+                                                state.load_time);
+    return sum;
+  }
+
+
+
+  template <int dim>
+  BoundarySums
+  BoundaryFlows<dim>::rates(const State  &state,
+                            const Vector &temperature_rate,
+                            const Vector &acceleration,
+                            const Vector &heat_load,
+                            const Vector &momentum_load)
+  {
+    const bool   has_heat    = scene.fields.has_temperature;
+    const bool   has_motion  = scene.fields.has_displacement;
+    const bool   has_inertia = scene.material.has_inertia();
+    BoundarySums own;
+    if (has_heat)
+      set_heat_residual(state, temperature_rate, heat_load);
+    if (has_motion)
+      equations.momentum_residual(state,
+                                  &state.velocity,
+                                  has_inertia ? &acceleration : nullptr,
+                                  momentum_load,
+                                  momentum_residual);
+    for (const End &end : ends)
+      {
+        loads.assemble_end(end.part,
+                           state.load_time,
+                           heat_of_end,
+                           momentum_of_end);
+        if (has_heat)
+          {
+            const Vector &weights = end.weights[Field::temperature];
+            own.*end.heat =
+              sum_at(end.given[Field::temperature], heat_residual) +
+              end.exchange * (end.outside * local_sum(weights) -
+                              local_product(weights, state.temperature)) +
+              (end.given[Field::temperature].empty() ? local_sum(heat_of_end) :
+                                                       0.);
+          }
+        if (!has_motion)
+          continue;
+        const Vector &weights = end.weights[Field::displacement];
+        const auto   &held    = end.given[Field::displacement];
+        const double  v       = local_product(weights, state.velocity);
+        const double  attached =
+          end.spring * local_product(weights, state.displacement) +
+          end.dashpot * v;
+        own.*end.impulse = -sum_at(held, momentum_residual) - attached;
+        own.*end.work =
+          -product_at(held, momentum_residual, state.velocity) - attached * v;
+        if (held.empty())
+          {
+            own.*end.impulse += local_sum(momentum_of_end);
+            own.*end.work += local_product(momentum_of_end, state.velocity);
+          }
+      }
+    if (has_heat && scene.heat.has_lateral_exchange())
+      own.heat_sides = outside_sides - local_product(sides, state.temperature);
+    BoundarySums sums = sum_of_all(own);
+    if (has_heat)
+      sums.heat_right += heat_by_law(state);
+    return sums;
+  }
+
+
+
+  template <int dim>
+  BoundarySums
+  BoundaryFlows<dim>::jump(const Vector &old_temperature,
+                           const Vector &old_displacement,
+                           const State  &state)
+  {
+    BoundarySums own;
+    Vector       motion(state.displacement);
+    if (scene.fields.has_displacement)
+      motion -= old_displacement;
+    if (scene.fields.has_temperature)
+      {
+        Vector change(state.temperature);
+        change -= old_temperature;
+        equations.heat_mass.vmult(heat_residual, change);
+        if (scene.material.has_heating())
+          equations.divergence.add(scene.material.heating,
+                                   motion,
+                                   heat_residual,
+                                   heat_product);
+        for (const End &end : ends)
+          own.*end.heat = sum_at(end.given[Field::temperature], heat_residual);
+      }
+    if (scene.fields.has_displacement)
+      {
+        for (const End &end : ends)
+          {
+            loads.assemble_end(end.part,
+                               state.load_time,
+                               heat_of_end,
+                               momentum_of_end);
+            const Vector &weights = end.weights[Field::displacement];
+            const double  way     = local_product(weights, motion);
+            own.*end.work =
+              local_product(momentum_of_end, motion) -
+              end.spring *
+                (local_product(weights, state.displacement) - 0.5 * way) * way;
+          }
+      }
+    return sum_of_all(own);
+  }
+
+
+
+  template <int dim>
+  BoundarySums
+  BoundaryFlows<dim>::sum_of_all(const BoundarySums &own) const
+  {
+    std::vector<double> values;
+    BoundarySums::for_each_column(
+      [&](const char *, const auto member) { values.push_back(own.*member); });
+    std::vector<double> all(values.size());
+    Utilities::MPI::sum(values, discretization.communicator(), all);
+    BoundarySums sums;
+    unsigned int i = 0;
+    BoundarySums::for_each_column([&](const char *, const auto member) {
+      sums.*member = all[i++] / discretization.geometry().cross_section();
+    });
+    return sums;
+  }
+
+
+
+  template class BoundaryFlows<1>;
+  template class BoundaryFlows<2>;
+  template class BoundaryFlows<3>;
+} // namespace ThermoContact
