@@ -347,12 +347,13 @@ def check_doubts():
     # strain v/c, c = sqrt(E (1 + a^2)/rho) = 5172 m/s: 5.1 m/s are below 1e-3, 7 m/s above,
     # and what arrives at t is v (1 - c t/L), at t = 10 um/(7 m/s) 0.9926 of it:
     # 6.948/5172 = 1.34e-3
-    for gap, doubts in (("0.11 m", ["Contact/Gap = 0.11 m: that is 11 % of Rod/Length, and the "
-                                    "model is one of small strains"]), ("0.09 m", [])):
-        screen = run("--check", "--output", "doubts", "--set", f"Contact/Gap={gap}",
-                     PRM / "steel-rod.prm")[1]
-        if re.findall("^  doubt     (.*)$", screen, re.MULTILINE) != doubts:
-            faults.append(f"doubts of a gap of {gap}: {screen}")
+    for entry in ("Contact/Gap", "Contact/Rear gap"):
+        for gap, doubts in (("0.11 m", [f"{entry} = 0.11 m: that is 11 % of Rod/Length, and the "
+                                        "model is one of small strains"]), ("0.09 m", [])):
+            screen = run("--check", "--output", "doubts", "--set", f"{entry}={gap}",
+                         PRM / "steel-rod.prm")[1]
+            if re.findall("^  doubt     (.*)$", screen, re.MULTILINE) != doubts:
+                faults.append(f"doubts of {entry} = {gap}: {screen}")
     for velocity, doubts in ((5.1, []), (7, [
             "the peak force is a strain of 0.0013: most metals yield there, and the model does not"])):
         screen = run("--output", "doubts", *settings((f"Initial values/Velocity={velocity}*x",)),
