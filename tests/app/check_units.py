@@ -146,6 +146,21 @@ def check_quantities():
                  "Time/End time": 1e-3 / wave,
                  "Output/Fields interval": float(f"{1e-3 / wave / 20:.6g}")})
 
+    # compliances in m/Pa^(1/m), of each obstacle with the exponent m of its law: the rear one
+    # has its own, or the one in front
+    for rear, exponent in (("2", 2), ("as in front", 1.5)):
+        check_scene("exponents.prm", {"Model/Fields": ("displacement", "displacement"),
+                                      "Contact/Condition": ("power law", "power law"),
+                                      "Contact/Exponent": ("1.5", "1.5"),
+                                      "Contact/Compliance": ("2e-9", "2e-9"),
+                                      "Contact/Gap": ("1e-5", "10 um"),
+                                      "Contact/Rear gap": ("1e-5", "10 um"),
+                                      "Contact/Rear exponent": (rear, rear),
+                                      "Contact/Rear compliance": ("3e-8", "3e-8"),
+                                      "Time/End time": ("1e-3", "1 ms")},
+                    {"Contact/Compliance": 2e-9 * E**(1 / 1.5) / L,
+                     "Contact/Rear compliance": 3e-8 * E**(1 / exponent) / L})
+
 
 def check_expressions():
     """Of time, place, gap and pressure; units do not change what runs."""
