@@ -21,7 +21,7 @@ RESULTS = [("first_contact_time", "first contact", "predicted_first_contact_time
            ("final_contact_force", "final contact force", "predicted_contact_force"),
            ("final_temperature_end", "final temperature of the end",
             "predicted_temperature_end"),
-           ("final_energy", "final energy", None)]
+           ("final_energy", "final energy (no heat content)", None)]
 STYLE = """body { font: 15px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; }
 table { border-collapse: collapse; } td, th { border: 1px solid #ccc; padding: .2em .6em; text-align: left; }
 img { max-width: 100%; } pre { background: #f3f3f3; padding: .6em; white-space: pre-wrap; }
@@ -59,8 +59,8 @@ def scene_of(directory):
         return ""
     return "\n".join(line for line in lines[2:] if line[:2] == "  " and line[2:3].strip()
                      and line[2:].split()[0] in (
-                         "units", "body", "unknowns", "terms", "model", "heat", "contact",
-                         "loads", "drives", "time", "scales")
+                         "units", "body", "row", "unknowns", "terms", "model", "heat", "fixed",
+                         "contact", "gap", "scheme", "time", "loads", "scales")
                      and " times, first at " not in line and "set-up" not in line)
 
 

@@ -295,7 +295,10 @@ namespace ThermoContact
                                     "separates columns" :
                                     "there is no column '" + quote(column) +
                                       "'" + did_you_mean(column, names),
-                   n_lines);
+                   n_lines,
+                   column.empty() ? "the names of the columns in the first "
+                                    "line, or '#' before the lines above" :
+                                    "");
             for (const unsigned int i : {0u, index})
               if (!in_base_units(1., header[i].unit))
                 fail("'" + quote(header[i].unit) + "' is no unit of a load",
@@ -323,9 +326,12 @@ namespace ThermoContact
           if (!number)
             fail("'" + quote(cells[i]) + "' is no number",
                  n_lines,
-                 "remove the row, of which there is no measurement; numbers "
-                 "have no separators of thousands, and a decimal comma only "
-                 "where ';' or a tab separates columns");
+                 cells[i].find(':') != std::string::npos ?
+                   "the time since the first row as a number: times of a clock "
+                   "are not read" :
+                   "remove the row, of which there is no measurement; numbers "
+                   "have no separators of thousands, and a decimal comma only "
+                   "where ';' or a tab separates columns");
           if (cells[i].find(',') != std::string::npos)
             (may_have_thousands(cells[i]) ? thousands : decimals)[i] = cells[i];
           return *number;

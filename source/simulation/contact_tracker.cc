@@ -292,7 +292,7 @@ namespace ThermoContact
       reset.impact(result);
     if (is_impact || finding.kind == EventLocator::Finding::at_end)
       {
-        // an end of contact at once is that of nodes that have stopped
+        // contact that ends at once ends with the velocities of stopped nodes
         get_contact_values(body, result.state, next);
         locator.set_present(next);
       }
@@ -309,7 +309,7 @@ namespace ThermoContact
     StepResult                &result,
     std::vector<ContactEvent> &events)
   {
-    // its velocity is that of the step, as are the rates that it followed
+    // a static body keeps the velocity that it had in the step
     if (body.scene.material.is_static())
       return;
     EventLocator        &locator = locators[0];

@@ -374,7 +374,7 @@ namespace ThermoContact
     body.loads.assemble_momentum_rate(state.load_time, rate);
     body.equations.stiffness.vmult(elastic, state.velocity);
     rate -= elastic;
-    // heat that has not flowed yet may have no rate but that of the mesh
+    // heat that has not flowed yet may have a rate that the mesh alone makes
     if (body.scene.fields.has_temperature &&
         body.scene.material.has_thermal_stress() && !state.was_moved_at_once())
       {
@@ -790,10 +790,11 @@ namespace ThermoContact
                                state);
     double work = 0.;
     if (is_event && body.scene.contact.is_in_equilibrium() &&
-        !body.scene.contact.is_damped()) // else velocities carry pressure, too
+        !body.scene.contact.is_damped()) // damping presses by velocities, too
       {
         changed = true;
-        std::vector<unsigned int> closing; // the others know it by pressure
+        std::vector<unsigned int>
+          closing; // other nodes in contact have pressure
         if (mode == ContactMode::open)
           for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
             if (finding.changes_all_nodes || i == finding.node)

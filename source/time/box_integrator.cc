@@ -449,8 +449,8 @@ namespace ThermoContact
       }
     if (law.is_rigid() && contact.pressure != 0.)
       {
-        // the pressure that stops the end, if it comes; no part of a front yet
-        // to come
+        // the pressure that stops an end that comes, without a front that is
+        // yet to come
         const auto &next = end.releases.next;
         end.stopping =
           impedance * (next ? side * next->before : arriving - rate);
@@ -882,7 +882,8 @@ namespace ThermoContact
     new_state.contact_velocity.resize(contacts.size());
     for (unsigned int c = 0; c < contacts.size(); ++c)
       new_state.contact_velocity[c] = ends[c].end_velocity;
-    // from the right, so that a rod between two contacts has that of its right
+    // from the right: a rod between two contacts has the velocity of its right
+    // end
     for (unsigned int c = contacts.size(); c-- > 0;)
       for (unsigned int i = contacts[c].sides.size(); i-- > 0;)
         {
@@ -958,7 +959,7 @@ namespace ThermoContact
     for (const ContactSide &of : contact.sides)
       if (!of.is_mass() && of.n_cells < n_cells_seen)
         return releases;
-    // of them what acts along the way from the middle of the last cell
+    // the part of the loads that acts from the middle of the last cell on
     const Vector &response = solver.response_to_pressure(path.size, c).velocity;
     const double  along    = contact.sum([&](const ContactSide &of) {
       return (of.is_mass() ? 1. : 0.5) * of.inner_value(momentum_load) *

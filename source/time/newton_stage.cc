@@ -106,7 +106,7 @@ namespace ThermoContact
     const Part heat =
       part(known.temperature, stage.temperature_rate, last_rate);
     const Part motion = part(known.displacement, stage.velocity, last_velocity);
-    // one that only the other could make may be rounding of that
+    // a change that the other field could make alone may be its rounding
     const Material &material = body.scene.material;
     const double    length   = body.scene.row.length();
     const auto      over     = [](const Part &one, const double of_other) {
@@ -151,7 +151,7 @@ namespace ThermoContact
             if (!stage.failure.empty())
               return;
             const double now = change(tau, known, stage);
-            // the next change is smaller by as much as this one at least
+            // the next change falls at least by the factor of this one
             if (now * std::min(1., now / last_change) <=
                 Tolerances::rounding_of_sum)
               {

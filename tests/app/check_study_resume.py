@@ -167,7 +167,8 @@ def keep_files(directory):
 
 def refuse(directory):
     before = (directory / "study.csv").read_bytes()
-    for option in ("Model/Viscosity=0.5", "Study/Vary=Contact/Gap=0.1|0.2"):
+    for option in ("Model/Viscosity=0.5", "Study/Vary=Contact/Gap=0.1|0.2",
+                   "Study/Reference=Time/Tolerance=1e-6", "Study/Repetitions=2"):
         status, message = finish(directory, "--set", option)
         print(f"{option}: status {status}, unharmed",
               int((directory / "study.csv").read_bytes() == before))

@@ -161,6 +161,21 @@ def check_quantities():
                  "Contact/Rear compliance": E * A / 2e7 / L,
                  "Contacts/a b/Compliance": (E * A / 3e9)**(1 / 1.5) / L})
 
+    # compliances in m/Pa^(1/m), of each obstacle with the exponent m of its law: the rear one
+    # has its own, or the one in front
+    for rear, exponent in (("2", 2), ("as in front", 1.5)):
+        check_scene("exponents.prm", {"Model/Fields": ("displacement", "displacement"),
+                                      "Contact/Condition": ("power law", "power law"),
+                                      "Contact/Exponent": ("1.5", "1.5"),
+                                      "Contact/Compliance": ("2e-9", "2e-9"),
+                                      "Contact/Gap": ("1e-5", "10 um"),
+                                      "Contact/Rear gap": ("1e-5", "10 um"),
+                                      "Contact/Rear exponent": (rear, rear),
+                                      "Contact/Rear compliance": ("3e-8", "3e-8"),
+                                      "Time/End time": ("1e-3", "1 ms")},
+                    {"Contact/Compliance": 2e-9 * E**(1 / 1.5) / L,
+                     "Contact/Rear compliance": 3e-8 * E**(1 / exponent) / L})
+
 
 def check_expressions():
     """Of time, place, gap and pressure; units do not change what runs."""
@@ -366,12 +381,13 @@ def check_doubts():
     # strain v/c, c = sqrt(E (1 + a^2)/rho) = 5172 m/s: 5.1 m/s are below 1e-3, 7 m/s above,
     # and what arrives at t is v (1 - c t/L), at t = 10 um/(7 m/s) 0.9926 of it:
     # 6.948/5172 = 1.34e-3
-    for gap, doubts in (("0.11 m", ["Contact/Gap = 0.11 m: that is 11 % of Rod/Length, and the "
-                                    "model is one of small strains"]), ("0.09 m", [])):
-        screen = run("--check", "--output", "doubts", "--set", f"Contact/Gap={gap}",
-                     PRM / "steel-rod.prm")[1]
-        if re.findall("^  doubt     (.*)$", screen, re.MULTILINE) != doubts:
-            faults.append(f"doubts of a gap of {gap}: {screen}")
+    for entry in ("Contact/Gap", "Contact/Rear gap"):
+        for gap, doubts in (("0.11 m", [f"{entry} = 0.11 m: that is 11 % of Rod/Length, and the "
+                                        "model is one of small strains"]), ("0.09 m", [])):
+            screen = run("--check", "--output", "doubts", "--set", f"{entry}={gap}",
+                         PRM / "steel-rod.prm")[1]
+            if re.findall("^  doubt     (.*)$", screen, re.MULTILINE) != doubts:
+                faults.append(f"doubts of {entry} = {gap}: {screen}")
     for velocity, doubts in ((5.1, []), (7, [
             "the peak force is a strain of 0.0013: most metals yield there, and the model does not"])):
         screen = run("--output", "doubts", *settings((f"Initial values/Velocity={velocity}*x",)),

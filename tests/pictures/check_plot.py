@@ -204,6 +204,39 @@ def check_two_obstacles(plot):
           "obstacle, $g$ = 0.1; $g_2$ = 0.07" in legend.values(), str(legend))
 
 
+ROW = {"gap  $g - u_L + u_R$": "gap", "contact force  $F(t)$": "contact_force",
+       r"impulse  $\int_0^t F$": "contact_impulse"}
+
+
+def check_row(plot):
+    """Of two rows of four rods each contact has the colour that the legend gives its name,
+    and each run has dashes: its curves are the columns of contacts/NAME.csv, of which a report
+    shows the bodies."""
+    names = ["a-b", "b-c", "c-d"]
+    for runs in (["row"], ["row", "wide-row"]):
+        panels, legend = drawings.panels_of(drawings.figures_of(
+            plot, *runs, "--figure", "row")["row"])
+        colours = {looks[0]: text for looks, text in legend.items() if text in names}
+        found = [(panel.get_ylabel(), name, run) for panel in panels for line in panel.lines
+                 for name in [colours[drawings.looks_of(line)[0]]] for run in runs
+                 if drawings.same(line, *(table(f"{run}/contacts/{name}.csv")[column]
+                                          for column in ("time", ROW[panel.get_ylabel()])))]
+        check(f"row: {len(runs)} runs", sorted(found) == sorted(
+            (label, name, run) for label in ROW for name in names for run in runs) and
+            all(len(panel.lines) == 3 * len(runs) for panel in panels), f"{found} {legend}")
+    dashes = {line.get_label(): line.get_linestyle() for line in panels[0].lines}
+    check("row: dashes", len({drawings.looks_of(line) for line in panels[0].lines}) == 6,
+          str(dashes))
+    page = io.StringIO()
+    before, sys.argv = sys.argv, ["plot", "--report", "row"]
+    with contextlib.redirect_stdout(page):
+        plot.main()
+    sys.argv = before
+    text = html.unescape(Path("row/report.html").read_text(encoding="utf-8"))
+    check("row: report", "  row       a (rod of length 0.5, " in text and
+          '<img alt="row"' in text, text[:2000])
+
+
 def check_prefixes(plot):
     """Of the largest value in SI units, from 1 to 1000: those of the columns; a tick at y
     says y in the unit of its label, of the probes too. The gap is 0.5 mm in the legend."""
@@ -283,7 +316,7 @@ REPORT = {  # key of summary.json: its words and cells
     "final_displacement_end": (0.0015, ["final displacement of the end", "1.5", "", "", "1.4", "mm"]),
     "final_contact_force": (0., ["final contact force", "0", "", "", "7", "N"]),
     "final_temperature_end": (80., ["final temperature of the end", "80", "", "", "79", "°C"]),
-    "final_energy": (-2e-3, ["final energy", "-2", "", "", "", "mJ"])}
+    "final_energy": (-2e-3, ["final energy (no heat content)", "-2", "", "", "", "mJ"])}
 
 
 def check_report():
@@ -361,6 +394,9 @@ def main():
                  "Output/Fields interval=0")
     drawings.run("steel", "units/steel-rod.prm", "Time/End time=36 h", "Output/Fields interval=0",
                  "Output/Probes=250 mm; 1 m")
+    for name, gap in (("row", "0.01"), ("wide-row", "0.05")):
+        drawings.run(name, "rows/cradle.prm", "Time/End time=1.5", "Output/Fields interval=0",
+                     f"Contact/Gap={gap}")
     drawings.run("strip", "examples/strip.prm", "Time/End time=0.4", "Output/Fields interval=0",
                  "Mesh/Cells=8", "Mesh/Cells across=2", "Time/Scheme=sdirk4",
                  "Time/Start=consistent", "Time/Step size=automatic", "Time/Tolerance=1e-3",
@@ -372,6 +408,7 @@ def main():
     check_end_time(plot)
     check_strip(plot)
     check_two_obstacles(plot)
+    check_row(plot)
     check_files(plot)
     check_report()
     check_refusals(plot)

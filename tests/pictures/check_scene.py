@@ -176,7 +176,8 @@ def check_factors():
     points = numpy.array([[0, 0, 0], [0.5, 0, 0], [1, 0, 0]])
     for u, factor in (([0, 0.25, 0.5], 0.6),  # 0.66; nothing is compressed
                       ([0, -0.005, -0.01], 30),  # 33; 75
-                      ([0, 0.2, -0.1], 1),  # 1.65; 0.75 / 0.6 = 1.25
+                      ([0, 0.02, -0.02], 9),  # 16.5; 0.75 / 0.08 = 9.4, of the tension 18.75
+                      ([0, 0.02, -0.01], 10),  # 16.5; 0.75 / 0.06 = 12.5
                       ([0, 0, 0], 1)):
         ranges = paraview_numbers.Ranges()
         ranges.add(points, points, numpy.array([[u_i, 0, 0] for u_i in u]))

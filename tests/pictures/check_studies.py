@@ -196,6 +196,28 @@ def check_limits(plot, header, table, xs, ys):
         check_refused(plot, f"limit {text}", words, "map", "--limit", text)
 
 
+def check_units_of_limits(plot, header):
+    """Forces of 1e-6 N on and twice that each: by a limit in any unit of force as many runs are
+    within as by the number in N; of 12 runs the third and the last two have failed."""
+    forces = [1e-6 * 2**i for i in range(12)]
+    table = make_study("limits", header, {"Contact/Gap": [str(i + 1) for i in range(12)]}, [
+        *(("max_contact_force", i, force) for i, force in enumerate(forces)),
+        *(("status", i, "failed: no") for i in (2, 10, 11))])
+    write_table(Path("limits/study.csv"), table, [
+        "N" * (name == "max_contact_force") for name in table])
+    for prefix, size in (("n", 1e-9), ("u", 1e-6), ("µ", 1e-6), ("m", 1e-3), ("", 1.), ("k", 1e3),
+                         ("M", 1e6), ("G", 1e9)):
+        limit, told = 3e-4 / size, io.StringIO()
+        with contextlib.redirect_stdout(told):
+            figure = drawings.figures_of(plot, "limits", "--figure", "results", "--limit",
+                                         f"peak force < {limit:g} {prefix}N")["results"]
+        # 256e-6 N is the last below, of run 8; run 2 has failed
+        check(f"limit in {prefix}N", told.getvalue().startswith("8 of 12 runs within "), told.getvalue())
+    # matplotlib has no public name of the title before 3.8
+    check("failed runs", figure._suptitle.get_text().endswith("\n3 of 12 runs failed: not drawn"),
+          figure._suptitle.get_text())
+
+
 def check_bifurcation(plot, header):
     """The points of the last two of four periods of 2, and the largest force in each,
     in every other at the rear one of two stops, at the end of the third period the largest,
@@ -244,7 +266,7 @@ def main():
                  "Mesh/Cells=2", "Study/Vary=Mesh/Degree = 1 | 2",
                  "Study/Reference=Mesh/Degree = 3")
     header = [name for name in drawings.table("program/study.csv") if "/" not in name]
-    for part in (check_errors, check_results, check_bifurcation, check_refusals):
+    for part in (check_errors, check_results, check_units_of_limits, check_bifurcation, check_refusals):
         part(plot, header)
 
 

@@ -95,13 +95,16 @@ namespace
     deallog << "parts of 500, 20 and 0 bytes: as they were " << n_same
             << " of 6" << std::endl;
     const auto begins = [](const std::string &fault, const std::string &words) {
-      return everywhere(fault.rfind(words, 0) == 0);
+      return std::to_string(
+               Utilities::MPI::sum(fault.rfind(words, 0) == 0 ? 1 : 0,
+                                   MPI_COMM_WORLD)) +
+             " ranks";
     };
     const std::string part = rank() == 1 ? "x" : "";
-    deallog << "full disk: said "
+    deallog << "full disk: told by "
             << begins(write_parallel_file("/dev/full", {part}, MPI_COMM_WORLD),
                       "/dev/full: cannot be written: No space left")
-            << ", no directory: said "
+            << ", no directory: by "
             << begins(write_parallel_file_atomically("no/file",
                                                      {part},
                                                      MPI_COMM_WORLD),
@@ -111,12 +114,15 @@ namespace
     if (rank() == 0)
       std::filesystem::create_directories(taken + "/by_a_directory");
     MPI_Barrier(MPI_COMM_WORLD);
-    deallog
-      << "in place of a directory: said "
-      << begins(write_parallel_file_atomically(taken, {part}, MPI_COMM_WORLD),
-                taken + ": cannot be replaced")
-      << ", nothing left "
-      << everywhere(!std::filesystem::exists(taken + ".part")) << std::endl;
+    deallog << "in place of a directory: told by "
+            << begins(write_parallel_file_atomically(taken,
+                                                     {part},
+                                                     MPI_COMM_WORLD),
+                      taken + ": cannot be replaced")
+            << (everywhere(!std::filesystem::exists(taken + ".part")) ?
+                  ", nothing is left" :
+                  ", a part is left")
+            << std::endl;
   }
 
 
@@ -171,15 +177,14 @@ namespace
     const Checkpoint   checkpoint = make_checkpoint(1, megabytes << 20);
     const double       before     = peak_memory();
     write_checkpoint(directory, checkpoint, MPI_COMM_WORLD);
-    const Checkpoint read    = read_checkpoint(directory, MPI_COMM_WORLD);
-    const bool       is_same = are_equal(read, checkpoint);
-    const double     growth  = peak_memory() - before;
-    deallog << megabytes << " MiB: the same " << is_same
-            << ", that of the other "
-            << everywhere(read_nodes(read, 1 - rank()).size() ==
-                          (rank() == 1 ? 1000 : megabytes << 20))
-            << ", warned " << !read.warning.empty() << ", rank 0 grows by "
-            << "less than half of it " << (growth < 0.5 * megabytes)
+    const Checkpoint  read     = read_checkpoint(directory, MPI_COMM_WORLD);
+    const bool        is_same  = are_equal(read, checkpoint);
+    const double      growth   = peak_memory() - before;
+    const std::size_t of_other = read_nodes(read, 1 - rank()).size();
+    deallog << megabytes << " MiB: " << (is_same ? "the same" : "another")
+            << ", of the other rank " << (of_other >> 20) << " MiB, warning '"
+            << read.warning << "', growth of rank 0 over half of it "
+            << (growth < 0.5 * megabytes ? "below 1" : std::to_string(growth))
             << std::endl;
   }
 
@@ -212,11 +217,12 @@ namespace
     const auto read = [&](const std::string &name, const std::string &damaged) {
       write_text(path, damaged);
       const Checkpoint found = read_checkpoint(directory, MPI_COMM_WORLD);
-      deallog << name << ": previous " << are_equal(found, first) << ", newest "
-              << are_equal(found, last) << ", said "
-              << (found.warning ==
-                  path + ": it is damaged: size or checksum is wrong\n  ")
-              << std::endl;
+      deallog << name << ": "
+              << (are_equal(found, first) ? "the previous one" :
+                  are_equal(found, last)  ? "the newest one" :
+                                            "another one")
+              << (found.warning.empty() ? "" : "; ")
+              << found.warning.substr(0, found.warning.find('\n')) << std::endl;
     };
     read("whole", text);
     read("part of rank 1", change(1));
@@ -232,10 +238,8 @@ namespace
       }
     catch (const InputError &error)
       {
-        deallog << "both: "
-                << (std::string(error.what())
-                      .find("--resume: no checkpoint in " + directory) == 0)
-                << std::endl;
+        const std::string fault = error.what();
+        deallog << "both: " << fault.substr(0, fault.find('\n')) << std::endl;
       }
 
     write_text(path, text);
@@ -248,8 +252,9 @@ namespace
     catch (const ComputationError &error)
       {
         const Checkpoint found = read_checkpoint(directory, MPI_COMM_WORLD);
-        deallog << "cannot be written: the earlier one "
-                << are_equal(found, last) << std::endl;
+        deallog << "cannot be written: "
+                << (are_equal(found, last) ? "the earlier one" : "another one")
+                << std::endl;
       }
   }
 
@@ -264,9 +269,10 @@ namespace
       write_checkpoint(directory, make_checkpoint(4, 0, 1), MPI_COMM_SELF);
     MPI_Barrier(MPI_COMM_WORLD);
     const Checkpoint found = read_checkpoint(directory, MPI_COMM_WORLD);
-    deallog << "of " << found.n_ranks << " rank: step " << found.step
-            << ", its nodes "
-            << everywhere(read_nodes(found, 0) == pattern(1000, 4))
+    deallog << "of " << found.n_ranks << " rank: step " << found.step << ", "
+            << (everywhere(read_nodes(found, 0) == pattern(1000, 4)) ?
+                  "its nodes" :
+                  "other nodes")
             << std::endl;
   }
 } // namespace

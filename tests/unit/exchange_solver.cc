@@ -35,7 +35,9 @@
 //    one of two stops, each third one held, each second stage
 //    damped: the difference quotients to 1e-4 of the largest.
 // 4. k = 1 - gap, held open, from k = 1, free penetration -2 and temperature 1:
-//    q = 1/2, gap = 5/2, where k = -3/2: an error that says so.
+//    q = 1/2, gap = 5/2, where k = -3/2: an error that says so. Of a law of all
+//    its arguments, which are different numbers, each with its name; of a law
+//    in time the time alone.
 // 5. One node in a stage of length tau = 1e-9, deep in a hard damped obstacle,
 //    p = 1e20 s [1 + v]_+: v = -1 but for 1e-20. W = V = tau, H = U = 0, k = 2,
 //    free temperature 1, velocity 3 without flux and pressure: q = 2 and
@@ -469,6 +471,19 @@ namespace
       {
         deallog << error.what() << std::endl;
       }
+    const auto negative = [](const double, const double, const auto &) {
+      return -1.;
+    };
+    for (const bool is_of_all : {true, false})
+      try
+        {
+          HeatExchange("of all", {is_of_all, is_of_all, true}, negative)
+            .coefficient(-0.25, 3., {5., 7., 11.});
+        }
+      catch (const ComputationError &error)
+        {
+          deallog << error.what() << std::endl;
+        }
   }
 
 

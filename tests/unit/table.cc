@@ -97,6 +97,7 @@ main_table()
   print_fault("t f\n0 1\n1 2\n");
   print_fault("t,f\n0,1\n1\n");
   print_fault("t,f\n0,1\n1,x\n");
+  print_fault("t,f\n10:00:00,1\n10:00:01,2\n");
   print_fault("t,f\n0,1\n0,2\n");
   print_fault("t,f\n0,1\n");
   print_fault("t,f\n0,1\n1,2\n", "smooth(bad.csv, t)");

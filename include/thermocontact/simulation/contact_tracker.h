@@ -40,14 +40,14 @@ namespace ThermoContact
       return is_of_several() ? ContactMode::unilateral : locators[0].mode();
     }
 
-    /** Where the next attempt starts: @p accepted, or what an impact makes. */
+    /** The next attempt starts here: at @p accepted, or behind an impact. */
     const State &
     start_state(const State &accepted) const
     {
       return impacted ? impacted->state : accepted;
     }
 
-    /** Energy there. */
+    /** The energy of start_state(). */
     double
     start_energy(const EnergyTerms &accepted) const
     {

@@ -234,7 +234,7 @@ namespace ThermoContact
            const Vector &momentum_load,
            const Vector *velocity = nullptr) const;
 
-    /** The same at the nodes of the contact end. */
+    /** forces() at the nodes of the contact end. */
     std::vector<double>
     node_forces(const State &state, const Vector *velocity = nullptr) const;
 
@@ -279,7 +279,7 @@ namespace ThermoContact
     settle_static_nodes(State                           &state,
                         const std::vector<unsigned int> &closing = {});
 
-    /** One of the two. */
+    /** set_static_displacement() or settle_static_nodes(). */
     void
     set_static_equilibrium(State                           &state,
                            const std::vector<unsigned int> &closing = {});

@@ -233,7 +233,7 @@ namespace ThermoContact
     /** The last discontinuity of inputs that the state has passed. */
     double passed_break = -1.;
 
-    /** The last time at which the fixed end was looked at for one. */
+    /** The last time at which heat_fixed_end() looked for a discontinuity. */
     double heated_time = -1.;
 
     void
@@ -339,8 +339,9 @@ namespace ThermoContact
 
     /**
      * Where the temperature of the fixed end has a discontinuity the present
-     * state becomes the one behind it. The row of that time is without: no heat
-     * has flowed then, and what the mesh needs of it is of the size of a cell.
+     * state becomes the one behind it. The row of that time is written before:
+     * no heat has flowed then, and the heat that the mesh needs is that of a
+     * cell.
      *
      * @throw ComputationError that says where
      */

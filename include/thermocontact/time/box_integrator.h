@@ -69,7 +69,7 @@ namespace ThermoContact
                            });
       }
 
-      /** The same of the rods alone, of which there is one. */
+      /** Waves pass all rods at the contact, of which there is at least one. */
       bool
       has_rods_with_waves() const;
 
@@ -155,7 +155,7 @@ namespace ThermoContact
       StepContact                       contact;
       std::array<double, HeatStages::n> flux{};
       std::array<double, HeatStages::n> coefficient{}; ///< k at the stages
-      double                            end_coefficient = 0.; ///< that at $t^1$
+      double                            end_coefficient = 0.; ///< k at $t^1$
       double                            end_pressure    = 0.; ///< $p^1$
       double                            end_velocity    = 0.; ///< $v(1,t^1)$
       double free_velocity = 0.; ///< $w$ without pressure
@@ -185,7 +185,7 @@ namespace ThermoContact
                const double       size,
                const unsigned int c) const;
 
-    /** Their loss by a unit load. */
+    /** The loss of these values by a unit load. */
     EndValues
     end_response(const BoxRates    &response,
                  const double       size,
@@ -329,8 +329,8 @@ namespace ThermoContact
 
     std::vector<TimeDerivatives> former_gaps;
 
-    /** Of loads on the way of masses that impacts change, which is not that of
-     * the mean velocity. */
+    /** Work of the loads on the way of masses by impacts, which the mean
+     * velocity does not have. */
     double work_of_impacts = 0.;
   };
 } // namespace ThermoContact

@@ -100,7 +100,7 @@ namespace ThermoContact
     SolverCounters                 &counters;
     std::unique_ptr<Preconditioner> preconditioner; ///< or null
 
-    /** In the place of those of the body; null: they are not. */
+    /** Equations in the place of the body's; null: the body's are used. */
     std::unique_ptr<const ThermoviscoelasticOperator<dim>> own_equations;
 
     std::unique_ptr<LinearSystem<dim>> system;

@@ -67,7 +67,7 @@ namespace ThermoContact
 
     /**
      * Heat leaves through the contact nodes with these $k_i$ beside that of the
-     * matrices, (C5.2). None does until it is called.
+     * matrices, (C5.2). Before it is called no heat leaves so.
      */
     void
     set_exchange(const std::vector<double> &coefficient);

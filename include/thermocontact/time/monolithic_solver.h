@@ -98,7 +98,7 @@ namespace ThermoContact
   private:
     const Body<dim> &body;
 
-    /** In the place of those of the body; null: they are not. */
+    /** Equations in the place of the body's; null: the body's are used. */
     std::unique_ptr<const ThermoviscoelasticOperator<dim>> own_equations;
 
     const ThermoviscoelasticOperator<dim> &
