@@ -180,7 +180,7 @@ namespace ThermoContact
   LinearSystem<dim>::set_springs(const std::vector<double> &new_springs,
                                  const std::vector<double> &new_relaxed)
   {
-    Assert(!has_factors(), ExcNotImplemented());
+    Assert(!has_factors() || new_springs.empty(), ExcNotImplemented());
     springs = new_springs;
     relaxed = new_relaxed;
     if (preconditioner != nullptr)

@@ -131,7 +131,8 @@ namespace ThermoContact
 
     /**
      * Adds springs to the rows of the contact nodes in a system of the
-     * displacement, or of both fields, that has no factors.
+     * displacement, or of both fields, that has no factors; with factors there
+     * are none.
      *
      * @param new_springs stiffness; infinite: the node is held; empty: there
      *   are none
@@ -213,6 +214,13 @@ namespace ThermoContact
     n_iterations() const
     {
       return n_iterations_;
+    }
+
+    /** Number of solves for heat by which the inverse was made. */
+    unsigned int
+    n_responses() const
+    {
+      return heat ? inverse.m() : 0;
     }
 
     /** Number of matrices that were factorised. */
