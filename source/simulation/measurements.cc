@@ -210,7 +210,8 @@ namespace ThermoContact
       contact.is_damped() ?
         std::max(0., 0. - record.gap) :
         std::max(contact.law->penetration(std::max(*largest, 0.)),
-                 contact.law_of(-1).penetration(std::max(0. - *smallest, 0.)));
+                 contact.law_under(*smallest).penetration(
+                   std::max(0. - *smallest, 0.)));
     record.stress_end = mean_traction() - record.contact_force;
     if (const auto &right = body.scene.parameters.boundary.right;
         right.is_any())

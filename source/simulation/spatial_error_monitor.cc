@@ -352,8 +352,7 @@ namespace ThermoContact
         !material.has_viscosity())
       return infinity;
     const double b = material.inertia, zeta = material.viscosity;
-    const double dashpot =
-      std::max(law.dashpot(), scene.contact.law_of(-1).dashpot());
+    const double dashpot = scene.contact.dashpot();
     // at the first touch, where the viscous stress stops the end
     if (scene.scheme.has_no_dispersion && dashpot > 0.)
       return zeta / dashpot;

@@ -799,8 +799,7 @@ namespace ThermoContact
       {
         const EndContact &end         = ends[c];
         new_state.contact_pressure[c] = end.end_pressure;
-        if (body.scene.contact.law_of(end.end_pressure < 0. ? -1 : 1)
-              .is_damped() ||
+        if (body.scene.contact.law_under(end.end_pressure).is_damped() ||
             (end.end_pressure == 0. && body.scene.contact.is_damped()))
           continue;
         // on the obstacle to the last digit, and never behind it
@@ -1007,7 +1006,7 @@ namespace ThermoContact
     const bool     has_waves = contact.has_waves();
     const auto     law_of    = [&](const double pressure) -> const auto &
     {
-      return body.scene.contact.law_of(pressure < 0. ? -1 : 1);
+      return body.scene.contact.law_under(pressure);
     };
     const double within =
       path.rear > 0. ? -path.rear : std::max(path.front, 0.);

@@ -279,18 +279,39 @@ namespace ThermoContact
       return side < 0 && rear_law ? *rear_law : *law;
     }
 
+    /** The law that gives a node this pressure. */
+    const ContactLaw &
+    law_under(const double pressure) const
+    {
+      return law_of(pressure < 0. ? -1 : 1);
+    }
+
+    /** Whether one of the laws has a property. */
+    template <typename Has>
+    bool
+    any(const Has &has) const
+    {
+      return has(*law) || (rear_law && has(*rear_law));
+    }
+
     /** A pressure depends on the velocity. */
     bool
     is_damped() const
     {
-      return law->is_damped() || law_of(-1).is_damped();
+      return any([](const ContactLaw &one) { return one.is_damped(); });
     }
 
-    /** One of the obstacles has $d>0$, (M4.2). */
+    /** $d$, (M4.2), of the obstacle that has the larger one. */
+    double
+    dashpot() const
+    {
+      return std::max(law->dashpot(), law_of(-1).dashpot());
+    }
+
     bool
     has_dashpot() const
     {
-      return law->dashpot() > 0. || law_of(-1).dashpot() > 0.;
+      return dashpot() > 0.;
     }
 
     /** Of the harder obstacle that has one. */
@@ -369,13 +390,6 @@ namespace ThermoContact
     name() const
     {
       return is_iterative ? "iterative" : "direct";
-    }
-
-    /** The field matrices are there, and what is solved is factorised. */
-    bool
-    has_matrices() const
-    {
-      return !is_iterative;
     }
   };
 
