@@ -273,8 +273,7 @@ namespace ThermoContact
             laws[i].is_in_velocity = true; // of nodes that stay where they are
             laws[i].start          = position[i];
             if (touches)
-              laws[i].start =
-                laws[i].side * std::max(laws[i].side * position[i], 0.);
+              laws[i].start = laws[i].without_pull(position[i]);
           }
       }
     else // the pressure follows from the displacement alone
@@ -488,17 +487,18 @@ namespace ThermoContact
         if (body.nonlinear)
           {
             // heated with the coefficients in the middle of the way
-            State middle(state);
-            middle.temperature = start;
-            middle.temperature.add(0.5, change);
-            at_once.linearize(middle);
+            Vector middle(start);
+            middle.add(0.5, change);
+            const ThermoviscoelasticOperator<dim> there(
+              body.equations, body.nonlinear->at(middle));
+            there.add_heating(motion, -1., heat);
+            LinearSystem<dim>(there, heat_at_once).solve(change, heat);
           }
-        at_once.equations().add_heating(motion, -1., heat);
-        if (body.nonlinear)
-          LinearSystem<dim>(at_once.equations(), heat_at_once)
-            .solve(change, heat);
         else
-          provide_heat_mass().solve(change, heat);
+          {
+            body.equations.add_heating(motion, -1., heat);
+            provide_heat_mass().solve(change, heat);
+          }
         state.temperature = start;
         state.temperature += change;
         last -= change;

@@ -55,7 +55,7 @@ namespace ThermoContact
     , row_(scene.row)
     , exchange_coefficient_(scene.exchange_coefficient)
   {
-    make_grid(scene.mesh, scene.has_matrices ? 0 : scene.mesh.n_halvings());
+    make_grid(scene.mesh, scene.n_halvings);
     distribute_dofs(scene.fields);
     constraints_ = make_constraints(held_components(scene), scene.has_pins);
     collect_constrained();

@@ -60,6 +60,18 @@ namespace ThermoContact
 
 
   template <int dim>
+  LinearSystem<dim>::LinearSystem(
+    std::unique_ptr<const ThermoviscoelasticOperator<dim>> own,
+    const SystemCoefficients                              &coefficients,
+    const Rows                                             rows)
+    : LinearSystem(*own, coefficients, nullptr, rows)
+  {
+    this->own = std::move(own);
+  }
+
+
+
+  template <int dim>
   bool
   LinearSystem<dim>::factorize_rod()
   {

@@ -26,9 +26,11 @@ namespace ThermoContact
   {
     if (!body.nonlinear)
       return;
-    system.reset();
-    own_equations = std::make_unique<const ThermoviscoelasticOperator<dim>>(
-      body.equations, body.nonlinear->at(state.temperature));
+    keep(std::make_unique<LinearSystem<dim>>(
+      std::make_unique<const ThermoviscoelasticOperator<dim>>(
+        body.equations, body.nonlinear->at(state.temperature)),
+      coefficients,
+      rows));
   }
 
 
@@ -41,8 +43,16 @@ namespace ThermoContact
       return;
     if (rows == Rows::all && coefficients.stiffness != 0.)
       preconditioner = make_motion_preconditioner(body);
-    auto made = std::make_unique<LinearSystem<dim>>(
-      equations(), coefficients, nullptr, rows, preconditioner.get());
+    keep(std::make_unique<LinearSystem<dim>>(
+      body.equations, coefficients, nullptr, rows, preconditioner.get()));
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::keep(std::unique_ptr<LinearSystem<dim>> made)
+  {
     port = std::make_unique<ContactPort<dim>>(body, *made);
     counters.factorizations += made->n_factorizations();
     counters.responses += made->n_responses();

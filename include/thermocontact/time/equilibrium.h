@@ -45,18 +45,11 @@ namespace ThermoContact
     provide();
 
     /**
-     * Where coefficients depend on the temperature: drops the parts that are
-     * kept, and makes the next ones with the coefficients of this state.
+     * Where coefficients depend on the temperature: makes the parts that are
+     * kept anew with the coefficients of this state.
      */
     void
     linearize(const State &state);
-
-    /** Those of the body, or at the last state of linearize(). */
-    const ThermoviscoelasticOperator<dim> &
-    equations() const
-    {
-      return own_equations ? *own_equations : body.equations;
-    }
 
     bool
     is_provided() const
@@ -111,11 +104,11 @@ namespace ThermoContact
     SolverCounters                 &counters;
     std::unique_ptr<Preconditioner> preconditioner; ///< or null
 
-    /** In the place of those of the body; null: they are not. */
-    std::unique_ptr<const ThermoviscoelasticOperator<dim>> own_equations;
-
     std::unique_ptr<LinearSystem<dim>> system;
     std::unique_ptr<ContactPort<dim>>  port;
+
+    void
+    keep(std::unique_ptr<LinearSystem<dim>> made);
   };
 
 
