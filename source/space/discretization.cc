@@ -379,6 +379,19 @@ namespace ThermoContact
 
 
   template <int dim>
+  BlockVector
+  Discretization<dim>::make_block_vector() const
+  {
+    BlockVector result(2);
+    for (const Field::Block field : all_fields)
+      result.block(field).reinit(make_vector(field));
+    result.collect_sizes();
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   Discretization<dim>::join(const Vector &temperature,
                             const Vector &displacement,
