@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/named.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/contact/contact_law.h>
-
-#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,13 +93,7 @@ namespace ThermoContact
   const ContactLawKind &
   contact_law(const std::string &name)
   {
-    const auto &kinds = contact_laws();
-    const auto  kind =
-      std::find_if(kinds.begin(), kinds.end(), [&](const ContactLawKind &k) {
-        return k.name == name;
-      });
-    Assert(kind != kinds.end(), dealii::ExcInternalError());
-    return *kind;
+    return named(name, contact_laws());
   }
 
 

@@ -21,7 +21,9 @@ namespace ThermoContact
     double
     size_of_last_cell(const ContactLaw &law)
     {
-      return std::clamp(law.compliance().value_or(0.1), 1e-4, 0.1);
+      return std::clamp(law.compliance().value_or(0.1),
+                        Tolerances::steepest_grading,
+                        0.1);
     }
 
 

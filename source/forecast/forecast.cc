@@ -174,11 +174,12 @@ namespace ThermoContact
       {
         cost.is_driven = scene.sources.any();
         // a node with mass that bounces, on any law
-        cost.is_least =
-          scene.material.has_inertia() && scene.contact.law->is_active() &&
-          !scene.contact.has_massless_nodes &&
-          (contact_nodes_oscillate(parameters, *scene.contact.law) ||
-           contact_nodes_oscillate(parameters, scene.contact.law_of(-1)));
+        cost.is_least = scene.material.has_inertia() &&
+                        scene.contact.law->is_active() &&
+                        !scene.contact.has_massless_nodes &&
+                        scene.contact.any([&](const ContactLaw &law) {
+                          return contact_nodes_oscillate(parameters, law);
+                        });
         const double scaled =
           scaled_steps(scene) + (cost.is_driven ? scaled_steps(loads) : 0.);
         const auto free = steps_of_free_waves(scene);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/named.h>
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/method/body_geometry.h>
 
-#include <deal.II/base/exceptions.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace ThermoContact
@@ -67,12 +65,6 @@ namespace ThermoContact
   const GeometryKind &
   geometry(const std::string &name)
   {
-    const auto &kinds = geometries();
-    const auto  kind =
-      std::find_if(kinds.begin(), kinds.end(), [&](const GeometryKind &k) {
-        return k.name == name;
-      });
-    Assert(kind != kinds.end(), dealii::ExcInternalError());
-    return *kind;
+    return named(name, geometries());
   }
 } // namespace ThermoContact

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/named.h>
 #include <thermocontact/method/butcher_tableau.h>
-
-#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,12 +142,6 @@ namespace ThermoContact
   const ButcherTableau &
   butcher_tableau(const std::string &name)
   {
-    const auto &tableaus = butcher_tableaus();
-    const auto  tableau =
-      std::find_if(tableaus.begin(),
-                   tableaus.end(),
-                   [&](const ButcherTableau &t) { return t.name == name; });
-    Assert(tableau != tableaus.end(), dealii::ExcInternalError());
-    return *tableau;
+    return named(name, butcher_tableaus());
   }
 } // namespace ThermoContact

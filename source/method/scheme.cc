@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/named.h>
 #include <thermocontact/method/butcher_tableau.h>
 #include <thermocontact/method/scheme.h>
-
-#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <utility>
@@ -116,10 +115,7 @@ namespace ThermoContact
   const Scheme &
   scheme(const std::string &name)
   {
-    const Scheme *const found =
-      find_scheme([&name](const Scheme &s) { return s.name == name; });
-    Assert(found != nullptr, dealii::ExcInternalError());
-    return *found;
+    return named(name, schemes());
   }
 
 

@@ -65,10 +65,12 @@ namespace ThermoContact
 
 
 
-  RodMatrices::RodMatrices(const RodLayout         &layout,
-                           const double             tolerance,
-                           const Entry             &entry,
-                           const std::vector<bool> &carries)
+  RodMatrices::RodMatrices(
+    const RodLayout                               &layout,
+    const double                                   tolerance,
+    const Entry                                   &entry,
+    const std::vector<bool>                       &carries,
+    const std::function<bool(const unsigned int)> &repeats)
     : layout_(layout)
   {
     const unsigned int  n = layout.nodes_per_cell();
@@ -78,6 +80,11 @@ namespace ThermoContact
     };
     for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
       {
+        if (repeats && repeats(cell))
+          {
+            ++runs_.back().end;
+            continue;
+          }
         auto value = of_cell.begin();
         for (unsigned int matrix = 0; matrix < n_matrices; ++matrix)
           for (unsigned int j = 0; j < n; ++j)

@@ -316,7 +316,7 @@ namespace ThermoContact
         }
     if (n_cells > 0.)
       return sum / n_cells;
-    double size = 1e-3 * parameters.time.end_time;
+    double size = Tolerances::step_of_masses * parameters.time.end_time;
     for (const MassContact &contact : mass_contacts(parameters))
       size = std::min(size, 0.02 * contact.time);
     return size;
@@ -394,8 +394,9 @@ namespace ThermoContact
     for (const BodyParameters &body : given.bodies)
       length += body.is_mass() ? 0. : body.length;
     // length of a closed gap in the mesh
-    const double smallest_gap = 1e-9 * (length > 0. ? length : 1.);
-    double       x            = 0.;
+    const double smallest_gap =
+      Tolerances::closed_gap * (length > 0. ? length : 1.);
+    double x = 0.;
 
     const auto add_gap = [&](const double gap) {
       RowCell cell;

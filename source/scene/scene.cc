@@ -277,8 +277,9 @@ namespace ThermoContact
         return false; // the paper's scheme, as it is
       return scheme.needs_massless_contact ||
              (parameters.dimension > 1 && law.is_rigid()) ||
-             contact_nodes_oscillate(parameters, law) ||
-             contact_nodes_oscillate(parameters, contact.law_of(-1));
+             contact.any([&](const ContactLaw &one) {
+               return contact_nodes_oscillate(parameters, one);
+             });
     }
 
 

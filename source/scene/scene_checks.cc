@@ -962,7 +962,8 @@ namespace ThermoContact
     check_linear_solver(const Scene &scene)
     {
       const auto tolerance = scene.parameters.solver.linear_tolerance;
-      if (tolerance && !(*tolerance >= 1e-14 && *tolerance < 1e-2))
+      if (tolerance && !(*tolerance >= Tolerances::rounding_of_sum &&
+                         *tolerance < Tolerances::loosest_residual))
         refuse("Solver/Linear tolerance",
                *tolerance,
                "at least 1e-14 and below 0.01",

@@ -19,7 +19,8 @@ namespace ThermoContact
     , has_midpoint_mass(scene.has_midpoint_mass)
     , has_massless_nodes(scene.contact.has_massless_nodes)
     , has_elastic_contact_nodes(scene.has_elastic_contact_nodes())
-    , has_matrices(scene.linear_solver.has_matrices())
+    , has_matrices(!scene.linear_solver.is_iterative)
+    , n_halvings(scene.linear_solver.is_iterative ? mesh.n_halvings() : 0)
     , exchange_coefficient(scene.heat.linear_coefficient())
     , lateral_exchange(scene.heat.lateral_exchange)
     , has_free_end(scene.has_free_end)
@@ -102,11 +103,12 @@ namespace ThermoContact
                    v,
                    w,
                    x,
-                   y] = all;
+                   y,
+                   z] = all;
       const auto others =
-        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, w, x, y);
+        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, x, y, z);
       return std::tuple_cat(
-        members(a), members(b), members(c), members(u), members(v), others);
+        members(a), members(b), members(c), members(v), members(w), others);
     }
   } // namespace
 

@@ -208,10 +208,10 @@ namespace ThermoContact
     if (!contact.is_damped())
       for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
         {
-          const double p     = state.contact_pressure[i];
-          record.penetration = std::max(
-            record.penetration,
-            contact.law_at(i, p < 0. ? -1 : 1).penetration(std::abs(p)));
+          const double p = state.contact_pressure[i];
+          record.penetration =
+            std::max(record.penetration,
+                     contact.law_under(p, i).penetration(std::abs(p)));
         }
     record.stress_end = mean_traction() - record.contact_force;
     if (const auto &right = body.scene.parameters.boundary.right;

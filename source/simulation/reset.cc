@@ -61,18 +61,15 @@ namespace ThermoContact
   template <int dim>
   Reset<dim>::Reset(Body<dim> &body)
     : body(body)
-    , inertia(
-        std::make_unique<Equilibrium<dim>>(body,
-                                           Equilibrium<dim>::Matrix::inertia,
-                                           counters_))
-    , stiffness(
-        std::make_unique<Equilibrium<dim>>(body,
-                                           Equilibrium<dim>::Matrix::stiffness,
-                                           counters_))
-    , at_once(
-        std::make_unique<Equilibrium<dim>>(body,
-                                           Equilibrium<dim>::Matrix::at_once,
-                                           counters_))
+    , inertia(body, motion_by_inertia, counters_)
+    , stiffness(body, motion_without_inertia(body), counters_)
+    , at_once(body,
+              body.equations.is_coupled() ? motion_at_once :
+                                            motion_without_inertia(body),
+              counters_)
+    , static_nodes(body, motion_without_heat, counters_, Rows::contact_end)
+    , adiabatic_nodes(body, motion_at_once, counters_, Rows::contact_end)
+    , viscous_nodes(body, motion_by_viscosity, counters_, Rows::contact_end)
   {}
 
 
@@ -81,11 +78,12 @@ namespace ThermoContact
   std::vector<bool>
   Reset<dim>::retained() const
   {
-    return {inertia->is_provided(),
-            stiffness->is_provided(),
+    return {inertia.is_provided(),
+            stiffness.is_provided(),
             heat_mass != nullptr,
-            adiabatic_nodes != nullptr,
-            at_once->is_provided()};
+            adiabatic_nodes.is_provided(),
+            at_once.is_provided(),
+            viscous_nodes.is_provided()};
   }
 
 
@@ -96,15 +94,17 @@ namespace ThermoContact
                       const SolverCounters    &counters)
   {
     if (retained[0])
-      inertia->provide();
+      inertia.provide();
     if (retained[1])
-      stiffness->provide();
+      stiffness.provide();
     if (retained[2])
       provide_heat_mass();
     if (retained[3])
-      provide_adiabatic_nodes();
+      adiabatic_nodes.provide();
     if (retained[4])
-      at_once->provide();
+      at_once.provide();
+    if (retained[5])
+      viscous_nodes.provide();
     counters_ = counters;
   }
 
@@ -121,18 +121,6 @@ namespace ThermoContact
         counters_.factorizations += heat_mass->n_factorizations();
       }
     return *heat_mass;
-  }
-
-
-
-  template <int dim>
-  NodeEquilibrium<dim> &
-  Reset<dim>::provide_adiabatic_nodes()
-  {
-    if (!adiabatic_nodes)
-      adiabatic_nodes =
-        std::make_unique<NodeEquilibrium<dim>>(body, 1., counters_, true);
-    return *adiabatic_nodes;
   }
 
 
@@ -236,16 +224,23 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::vector<double>
+  Vector
+  Reset<dim>::rows_of_end(const Vector &rows) const
+  {
+    Vector result = body.discretization.make_vector(Field::displacement);
+    for (const auto &[node, entry] :
+         body.contact_end().all_entries(Field::displacement))
+      result.begin()[entry] = rows.begin()[entry];
+    return result;
+  }
+
+
+
+  template <int dim>
+  Vector
   Reset<dim>::node_forces(const State &state, const Vector *velocity) const
   {
-    std::vector<double> at_nodes;
-    body.contact_end().get_all_values(Field::displacement,
-                                      forces(state,
-                                             momentum_load(state.load_time),
-                                             velocity),
-                                      at_nodes);
-    return at_nodes;
+    return rows_of_end(forces(state, momentum_load(state.load_time), velocity));
   }
 
 
@@ -272,7 +267,7 @@ namespace ThermoContact
                                            State                   &state,
                                            const bool               touches)
   {
-    const double factor = stiffness->velocity_factor();
+    const double factor = velocity_factor(body);
     Vector       load   = momentum_load(state.load_time);
     Vector       of_end = body.discretization.make_vector(Field::displacement);
     body.driven_end.set_velocity(state.load_time, of_end);
@@ -297,8 +292,7 @@ namespace ThermoContact
             laws[i].is_in_velocity = true; // of nodes that stay where they are
             laws[i].start          = position[i];
             if (touches)
-              laws[i].start =
-                laws[i].side * std::max(laws[i].side * position[i], 0.);
+              laws[i].start = laws[i].without_pull(position[i]);
           }
       }
     else // the pressure follows from the displacement alone
@@ -313,9 +307,9 @@ namespace ThermoContact
       forces(state,
              load,
              body.scene.sources.has_moving_end ? &of_end : nullptr);
-    stiffness->linearize(state);
-    stiffness->solve(
-      &r, laws, position, factor, state.velocity, state.contact_pressure);
+    stiffness.linearize(state);
+    stiffness.solve(
+      r, laws, position, factor, state.velocity, state.contact_pressure);
     state.velocity *= factor;
     body.driven_end.set_velocity(state.load_time, state.velocity);
   }
@@ -332,7 +326,7 @@ namespace ThermoContact
     std::vector<double>  position;
     get_node_laws(body, state, laws, position);
     matrix.linearize(state);
-    matrix.solve(&r, laws, position, 1., change, state.contact_pressure);
+    matrix.solve(r, laws, position, 1., change, state.contact_pressure);
     state.displacement += change;
   }
 
@@ -359,7 +353,7 @@ namespace ThermoContact
                                      const std::vector<unsigned int> &closing)
   {
     if (body.scene.material.is_static())
-      set_static_displacement(*stiffness, state);
+      set_static_displacement(stiffness, state);
     else if (body.scene.contact.is_in_equilibrium())
       settle_static_nodes(state, closing);
   }
@@ -413,30 +407,30 @@ namespace ThermoContact
   Reset<dim>::settle_static_nodes(State                           &state,
                                   const std::vector<unsigned int> &closing)
   {
-    const ContactEnd<dim> &end = body.contact_end();
-    std::vector<double>   &p   = state.contact_pressure;
-    if (!static_nodes)
-      static_nodes =
-        std::make_unique<NodeEquilibrium<dim>>(body, 1., counters_);
+    std::vector<double> &p = state.contact_pressure;
+    Vector change = body.discretization.make_vector(Field::displacement),
+           acceleration(change);
     get_node_laws(body, state, node_laws, node_positions);
-    const std::vector<double> change =
-      static_nodes->solve(node_forces(state), node_laws, node_positions, p);
+    static_nodes.solve(
+      node_forces(state), node_laws, node_positions, 1., change, p);
 
-    std::vector<double> rate_load;
-    end.get_all_values(Field::displacement, rate_of_forces(state), rate_load);
     for (unsigned int i = 0; i < p.size(); ++i)
       node_laws[i].face_pressure(p[i]); // it may have gone to the other side
-    const std::vector<double> acceleration = static_nodes->solve_rates(
-      rate_load, relative_velocities(state, node_laws), node_laws, closing);
+    static_nodes.solve_rates(rows_of_end(rate_of_forces(state)),
+                             relative_velocities(state, node_laws),
+                             node_laws,
+                             closing,
+                             acceleration);
 
-    for (const auto &[i, entry] : end.all_entries(Field::displacement))
+    for (const auto &[i, entry] :
+         body.contact_end().all_entries(Field::displacement))
       {
         double &displacement = state.displacement.begin()[entry];
         // where there is pressure, the law is exact to rounding of u
         displacement = i < p.size() && p[i] != 0. ?
                          displacement_of_law(body, state, i) :
-                         displacement + change[i];
-        state.velocity.begin()[entry] += acceleration[i];
+                         displacement + change.begin()[entry];
+        state.velocity.begin()[entry] += acceleration.begin()[entry];
       }
   }
 
@@ -448,25 +442,23 @@ namespace ThermoContact
                                    State                   &state)
   {
     std::vector<double> &p = state.contact_pressure;
-    if (!viscous_nodes)
-      viscous_nodes =
-        std::make_unique<NodeEquilibrium<dim>>(body,
-                                               body.scene.material.viscosity,
-                                               counters_);
+    Vector change = body.discretization.make_vector(Field::displacement);
     get_velocity_laws(body, state, is_closed, node_laws);
     for (unsigned int i = 0; i < p.size(); ++i)
       p[i] = is_closed[i] ? node_laws[i].without_pull(p[i]) : 0.;
-    const std::vector<double> change =
-      viscous_nodes->solve(node_forces(state, &state.velocity),
-                           node_laws,
-                           relative_velocities(state, node_laws),
-                           p);
+    viscous_nodes.solve(node_forces(state, &state.velocity),
+                        node_laws,
+                        relative_velocities(state, node_laws),
+                        1.,
+                        change,
+                        p);
     for (const auto &[i, entry] :
          body.contact_end().all_entries(Field::displacement))
       {
         double &velocity = state.velocity.begin()[entry];
-        velocity = i < p.size() && p[i] != 0. ? node_laws[i].local_rate() :
-                                                velocity + change[i];
+        velocity         = i < p.size() && p[i] != 0. ?
+                             node_laws[i].local_rate() :
+                             velocity + change.begin()[entry];
       }
   }
 
@@ -476,12 +468,12 @@ namespace ThermoContact
   void
   Reset<dim>::move_static_nodes(State &state)
   {
-    NodeEquilibrium<dim> &adiabatic = provide_adiabatic_nodes();
-    std::vector<double>   pressure(state.contact_pressure);
+    std::vector<double> pressure(state.contact_pressure);
+    Vector change = body.discretization.make_vector(Field::displacement);
     get_node_laws(body, state, node_laws, node_positions);
-    adiabatic.add_heating(
-      adiabatic.solve(node_forces(state), node_laws, node_positions, pressure),
-      state.temperature);
+    adiabatic_nodes.solve(
+      node_forces(state), node_laws, node_positions, 1., change, pressure);
+    adiabatic_nodes.add_heating(change, state.temperature);
     settle_static_nodes(state); // to rounding, with velocities
     set_exchange_of_law(body, state);
   }
@@ -504,7 +496,7 @@ namespace ThermoContact
                  "the temperature: its heat did not settle in ",
                  n,
                  " iterations"));
-        set_static_displacement(*at_once, state);
+        set_static_displacement(at_once, state);
         if (!body.equations.is_coupled())
           break;
         Vector motion(state.displacement);
@@ -514,17 +506,18 @@ namespace ThermoContact
         if (body.nonlinear)
           {
             // heated with the coefficients in the middle of the way
-            State middle(state);
-            middle.temperature = start;
-            middle.temperature.add(0.5, change);
-            at_once->linearize(middle);
+            Vector middle(start);
+            middle.add(0.5, change);
+            const ThermoviscoelasticOperator<dim> there(
+              body.equations, body.nonlinear->at(middle));
+            there.add_heating(motion, -1., heat);
+            LinearSystem<dim>(there, heat_at_once).solve(change, heat);
           }
-        at_once->equations().add_heating(motion, -1., heat);
-        if (body.nonlinear)
-          LinearSystem<dim>(at_once->equations(), heat_at_once)
-            .solve(change, heat);
         else
-          provide_heat_mass().solve(change, heat);
+          {
+            body.equations.add_heating(motion, -1., heat);
+            provide_heat_mass().solve(change, heat);
+          }
         state.temperature = start;
         state.temperature += change;
         last -= change;
@@ -675,12 +668,12 @@ namespace ThermoContact
         const std::vector<NodeLaw> laws = held_laws(body, state);
         std::vector<double>        impulses;
         Vector                     change(state.velocity);
-        inertia->solve(nullptr,
-                       laws,
-                       relative_velocities(state, laws),
-                       1.,
-                       change,
-                       impulses);
+        inertia.solve(body.discretization.make_vector(Field::displacement),
+                      laws,
+                      relative_velocities(state, laws),
+                      1.,
+                      change,
+                      impulses);
         state.velocity += change;
         for (unsigned int i = 0; i < impulses.size(); ++i)
           work -= end.share(i) * impulses[i] * laws[i].local_rate();
@@ -727,8 +720,7 @@ namespace ThermoContact
     body.obstacle.get_derivatives(state.load_time, obstacle);
     for (unsigned int i = 0; i < obstacle.size(); ++i)
       relative.push_back(0. - laws[i].of_local(obstacle[i].second));
-    inertia->solve(
-      &r, laws, relative, 1., acceleration, state.contact_pressure);
+    inertia.solve(r, laws, relative, 1., acceleration, state.contact_pressure);
     ++counters_.solves;
     set_exchange_of_law(body, state);
   }

@@ -49,20 +49,6 @@ namespace ThermoContact
             std::legendre(n, 2. * quadrature.point(q)[0] - 1.);
       return weights;
     }
-
-
-
-    double
-    product(const double       *weights,
-            const unsigned int *entries,
-            const unsigned int  n,
-            const double       *values)
-    {
-      double sum = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        sum += weights[i] * values[entries[i]];
-      return sum;
-    }
   } // namespace
 
 
@@ -99,14 +85,17 @@ namespace ThermoContact
     const Scene               &scene,
     const Discretization<dim> &discretization)
     : scene(scene)
-    , n_cell_nodes(discretization.degree() + 1)
+    , layout{discretization.n_active_cells(), discretization.degree()}
   {
     // the steps of the midpoint rule on such a mesh have no error inside cells,
     // and the cells of a row are not all of one body
     if (dim > 1 || scene.has_midpoint_mass || scene.row.is_given())
       return;
-    add_cells(discretization);
-    const unsigned int p = discretization.degree();
+    cell_sizes.reserve(layout.n_cells);
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      cell_sizes.push_back(cell->extent_in_direction(0));
+    const unsigned int p = layout.degree;
     upper_weights        = legendre_weights(p, p);
     lower_weights        = legendre_weights(p, p - 1);
     if (p <= highest_low_degree)
@@ -118,38 +107,18 @@ namespace ThermoContact
 
 
 
-  template <int dim>
-  void
-  SpatialErrorMonitor::add_cells(const Discretization<dim> &space)
+  double
+  SpatialErrorMonitor::product(const std::vector<double> &weights,
+                               const unsigned int         cell,
+                               const Vector              &vector) const
   {
-    using Cell = typename DoFHandler<dim>::active_cell_iterator;
-    std::vector<Cell> cells;
-    for (const Cell &cell : space.dof_handler().active_cell_iterators())
-      cells.push_back(cell);
-    std::sort(cells.begin(), cells.end(), [](const Cell &a, const Cell &b) {
-      return a->center()[0] < b->center()[0];
-    });
-    const auto &element = space.finite_element();
-    const auto  place =
-      FETools::hierarchic_to_lexicographic_numbering<1>(n_cell_nodes - 1);
-    std::vector<types::global_dof_index> dofs(element.dofs_per_cell);
-    for (const Cell &cell : cells)
-      {
-        cell_sizes.push_back(cell->extent_in_direction(0));
-        cell->get_dof_indices(dofs);
-        for (const Field::Block field : all_fields)
-          if (space.has_field(field))
-            {
-              std::vector<unsigned int> &all   = entries[field];
-              const std::size_t          first = all.size();
-              all.resize(first + n_cell_nodes);
-              for (unsigned int i = 0; i < dofs.size(); ++i)
-                if (const auto [component, node] =
-                      element.system_to_component_index(i);
-                    component == space.first_component(field))
-                  all[first + place[node]] = dofs[i] - space.first_dof(field);
-            }
-      }
+    // the right vertex comes before the inner nodes
+    const double      *values = vector.begin();
+    const unsigned int right  = layout.first_node(cell);
+    double             sum = weights.front() * values[layout.left_vertex(cell)];
+    for (unsigned int i = 1; i < layout.degree; ++i)
+      sum += weights[i] * values[right + i];
+    return sum + weights.back() * values[right];
   }
 
 
@@ -161,10 +130,11 @@ namespace ThermoContact
     // The coefficient n of what is approximated, a multiple of the n-th
     // derivative and h^n, changes from cell to cell by 2 (2n + 1) times the
     // next one. Without derivative it is c_p, of the strain (2p - 1) 2/h c_p.
-    const double p      = n_cell_nodes - 1.;
+    const double p      = layout.degree;
     const double n      = p - n_derivatives;
     const double next   = 1. / (2. * (2. * n + 1.));
     double       before = 0.;
+    factors[field].reserve(layout.n_cells);
     for (const double h : cell_sizes)
       {
         factors[field].push_back(
@@ -215,41 +185,36 @@ namespace ThermoContact
     // Squares of norms over a cell of size h, whose coordinate is (x - m) 2/h:
     // h/(2n + 1) c^2 of c P_n; the first term of the derivative of c P_n is
     // (2n - 1) 2/h c P_{n-1}.
-    const double p = n_cell_nodes - 1.;
+    const double p = layout.degree;
     MeshTail     now;
-    if (n_cell_nodes - 1 <= highest_low_degree)
+    if (layout.degree <= highest_low_degree)
       add_differences(field, vector, now);
     else if (n_derivatives == 0)
       add_last_coefficients(
-        field, vector, 1. / (2. * p + 1.), 1. / (2. * p - 1.), 1, now);
+        vector, 1. / (2. * p + 1.), 1. / (2. * p - 1.), 1, now);
     else
       add_last_coefficients(
-        field, vector, 4. * (2. * p - 1.), 4. * (2. * p - 3.), -1, now);
+        vector, 4. * (2. * p - 1.), 4. * (2. * p - 3.), -1, now);
     return now;
   }
 
 
 
   void
-  SpatialErrorMonitor::add_last_coefficients(const Field::Block field,
-                                             const Vector      &vector,
-                                             const double       upper_factor,
-                                             const double       lower_factor,
-                                             const int          power,
-                                             MeshTail          &tail) const
+  SpatialErrorMonitor::add_last_coefficients(const Vector &vector,
+                                             const double  upper_factor,
+                                             const double  lower_factor,
+                                             const int     power,
+                                             MeshTail     &tail) const
   {
-    const double       *values = vector.begin();
-    const unsigned int *nodes  = entries[field].data();
-    for (const double h : cell_sizes)
+    for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
       {
-        const double upper =
-          product(upper_weights.data(), nodes, n_cell_nodes, values);
-        const double lower =
-          product(lower_weights.data(), nodes, n_cell_nodes, values);
+        const double upper  = product(upper_weights, cell, vector);
+        const double lower  = product(lower_weights, cell, vector);
+        const double h      = cell_sizes[cell];
         const double weight = power > 0 ? h : 1. / h;
         tail.upper += upper_factor * weight * upper * upper;
         tail.lower += lower_factor * weight * lower * lower;
-        nodes += n_cell_nodes;
       }
   }
 
@@ -260,15 +225,12 @@ namespace ThermoContact
                                        const Vector      &vector,
                                        MeshTail          &tail) const
   {
-    const double       *values = vector.begin();
-    const unsigned int *nodes  = entries[field].data();
-    double              before = 0., last_difference = 0.;
-    for (unsigned int cell = 0; cell < cell_sizes.size(); ++cell)
+    double before = 0., last_difference = 0.;
+    for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
       {
         const CellFactors &factor = factors[field][cell];
         const double       now =
-          factor.coefficient *
-          product(upper_weights.data(), nodes, n_cell_nodes, values);
+          factor.coefficient * product(upper_weights, cell, vector);
         if (cell > 0)
           {
             const double difference = now - factor.before * before;
@@ -281,7 +243,6 @@ namespace ThermoContact
             last_difference = difference;
           }
         before = now;
-        nodes += n_cell_nodes;
       }
   }
 
@@ -352,11 +313,7 @@ namespace ThermoContact
         !material.has_viscosity())
       return infinity;
     const double b = material.inertia, zeta = material.viscosity;
-    double       dashpot = 0.;
-    scene.contact.any_law([&](const ContactLaw &one) {
-      dashpot = std::max(dashpot, one.dashpot());
-      return false;
-    });
+    const double dashpot = scene.contact.dashpot();
     // at the first touch, where the viscous stress stops the end
     if (scene.scheme.has_no_dispersion && dashpot > 0.)
       return zeta / dashpot;

@@ -55,7 +55,7 @@ namespace ThermoContact
     , row_(scene.row)
     , exchange_coefficient_(scene.exchange_coefficient)
   {
-    make_grid(scene.mesh, scene.has_matrices ? 0 : scene.mesh.n_halvings());
+    make_grid(scene.mesh, scene.n_halvings);
     distribute_dofs(scene.fields);
     constraints_ = make_constraints(held_components(scene), scene.has_pins);
     collect_constrained();
@@ -374,6 +374,19 @@ namespace ThermoContact
           relevant.push_back(relevant_by_block_[field]);
         }
     return BlockVector(owned, relevant, communicator_);
+  }
+
+
+
+  template <int dim>
+  BlockVector
+  Discretization<dim>::make_block_vector() const
+  {
+    BlockVector result(2);
+    for (const Field::Block field : all_fields)
+      result.block(field).reinit(make_vector(field));
+    result.collect_sizes();
+    return result;
   }
 
 

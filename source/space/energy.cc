@@ -127,7 +127,7 @@ namespace ThermoContact
     double sum = 0.;
     for (unsigned int i = 0; i < pressure.size(); ++i)
       sum += discretization.contact_end().share(i) *
-             contact.law_at(i, pressure[i] < 0. ? -1 : 1).energy(pressure[i]);
+             contact.law_under(pressure[i], i).energy(pressure[i]);
     return sum;
   }
 
@@ -175,7 +175,7 @@ namespace ThermoContact
                    end_displacement);
     for (unsigned int i = 0; i < pressure.size(); ++i)
       if (const double tangent =
-            contact.law_at(i, pressure[i] < 0. ? -1 : 1).tangent(pressure[i]);
+            contact.law_under(pressure[i], i).tangent(pressure[i]);
           pressure[i] != 0. && tangent > 0.)
         terms.obstacle += 0.5 / tangent * end.share(i) * end_displacement[i] *
                           end_displacement[i];

@@ -38,12 +38,8 @@ namespace ThermoContact
                        const RodMatrices        *rod)
   {
     const auto set = [&](LinearMap &to, const FieldMatrix::Kind kind) {
-      if (matrices[kind].m() == 0)
-        return;
-      if (rod != nullptr && kind < FieldMatrix::n_matrices)
-        to = map(*rod, kind);
-      else
-        to = map(matrices[kind]);
+      if (matrices.has(kind))
+        to = rod != nullptr ? map(*rod, kind) : map(matrices[kind]);
     };
     set(heat_mass, FieldMatrix::heat_mass);
     set(conduction, FieldMatrix::conduction);

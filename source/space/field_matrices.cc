@@ -9,48 +9,46 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <cmath>
 #include <functional>
 #include <initializer_list>
 #include <limits>
 
 namespace ThermoContact
 {
+  std::array<Field::Block, 2>
+  fields_of(const FieldMatrix::Kind kind)
+  {
+    switch (kind)
+      {
+        case FieldMatrix::momentum_mass:
+        case FieldMatrix::stiffness:
+        case FieldMatrix::viscous_stiffness:
+          return {{Field::displacement, Field::displacement}};
+        case FieldMatrix::divergence:
+          return {{Field::temperature, Field::displacement}};
+        case FieldMatrix::thermal_stress:
+          return {{Field::displacement, Field::temperature}};
+        default:
+          return {{Field::temperature, Field::temperature}};
+      }
+  }
+
+
+
+  /** A basis function at a point, for the products. */
+  template <int dim>
+  struct CellBasis
+  {
+    double         theta = 0.;
+    Tensor<1, dim> grad_theta;
+    Strain         strain;
+  };
+
+
+
   namespace
   {
-    using Fields = std::array<Field::Block, 2>;
-
-    /** Of rows and columns of a matrix. */
-    Fields
-    fields_of(const FieldMatrix::Kind kind)
-    {
-      switch (kind)
-        {
-          case FieldMatrix::momentum_mass:
-          case FieldMatrix::stiffness:
-          case FieldMatrix::viscous_stiffness:
-            return {{Field::displacement, Field::displacement}};
-          case FieldMatrix::divergence:
-            return {{Field::temperature, Field::displacement}};
-          case FieldMatrix::thermal_stress:
-            return {{Field::displacement, Field::temperature}};
-          default:
-            return {{Field::temperature, Field::temperature}};
-        }
-    }
-
-
-
-    /** A basis function at a point, for the products. */
-    template <int dim>
-    struct CellBasis
-    {
-      double         theta = 0.;
-      Tensor<1, dim> grad_theta;
-      Strain         strain;
-    };
-
-
-
     /** All basis functions of a cell; absent fields have none. */
     template <int dim>
     void
@@ -148,17 +146,59 @@ namespace ThermoContact
 
 
   template <int dim>
+  struct FieldMatrices<dim>::Integrals
+  {
+    Integrals(const SpatialScene        &scene,
+              const Discretization<dim> &discretization)
+      : n(discretization.finite_element().dofs_per_cell)
+      , mass_values(discretization.mapping(),
+                    discretization.finite_element(),
+                    mass_quadrature<dim>(discretization.degree(),
+                                         scene.has_lumped_mass),
+                    flags)
+      , axial_values(discretization.mapping(),
+                     discretization.finite_element(),
+                     scene.has_midpoint_mass ?
+                       QMidpoint<dim>() :
+                       massless_quadrature<dim>(discretization.degree(),
+                                                scene.has_lumped_mass),
+                     flags)
+      , values(discretization.mapping(),
+               discretization.finite_element(),
+               QGauss<dim>(discretization.degree() + 1),
+               flags | update_gradients)
+      , mass(n, n)
+      , stiffness(n, n)
+      , coupling(n, n)
+      , viscous(n, n)
+      , scratch(n, n)
+      , basis(n)
+      , faces(scene, discretization)
+    {
+      if (scene.has_elastic_contact_nodes)
+        extension = extension_to_contact_nodes(discretization);
+    }
+
+    const unsigned int n;
+    const UpdateFlags  flags =
+      update_values | update_quadrature_points | update_JxW_values;
+    FEValues<dim>               mass_values, axial_values, values;
+    FullMatrix<double>          mass, stiffness, coupling, viscous, scratch;
+    std::vector<CellBasis<dim>> basis;
+    FullMatrix<double>          extension; ///< to contact nodes; may be empty
+    HeatExchangeFaces<dim>      faces;
+    bool                        had_axial_rule = false;
+  };
+
+
+
+  template <int dim>
   FieldMatrices<dim>::FieldMatrices(const SpatialScene        &scene,
                                     const Discretization<dim> &discretization)
     : scene(scene)
     , discretization(discretization)
+    , integrals(std::make_unique<Integrals>(scene, discretization))
   {
-    const auto setup_if = [this](const bool                        is_there,
-                                 const std::initializer_list<Kind> kinds) {
-      for (const Kind kind : kinds)
-        if (is_there)
-          setup(kind);
-    };
     const FiniteElement<dim> &fe = discretization.finite_element();
     for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
       places[scene.fields.has_temperature &&
@@ -166,31 +206,104 @@ namespace ThermoContact
                Field::temperature :
                Field::displacement]
         .push_back(i);
-    setup_if(scene.fields.has_temperature, {heat_mass, conduction});
-    setup_if(scene.fields.has_displacement, {momentum_mass, stiffness});
-    setup_if(scene.material.has_thermal_stress(), {divergence, thermal_stress});
-    setup_if(scene.has_elastic_contact_nodes || scene.left.is_any() ||
-               scene.right.is_any() || scene.row.is_given(),
-             {viscous_stiffness});
-    setup_if(scene.lateral_exchange > 0., {lateral_exchange});
-    if (dim == 1)
-      rod_entries.resize(
-        static_cast<std::size_t>(n_matrices) * discretization.n_active_cells() *
-        (discretization.degree() + 1) * (discretization.degree() + 1));
-    assemble_mass();
-    assemble_stiffness();
+    const auto include = [this](const bool                        is_there,
+                                const std::initializer_list<Kind> kinds) {
+      for (const Kind kind : kinds)
+        has_[kind] = is_there;
+    };
+    include(scene.fields.has_temperature, {heat_mass, conduction});
+    include(scene.fields.has_displacement, {momentum_mass, stiffness});
+    include(scene.material.has_thermal_stress(), {divergence, thermal_stress});
+    include(scene.has_elastic_contact_nodes || scene.left.is_any() ||
+              scene.right.is_any() || scene.row.is_given(),
+            {viscous_stiffness});
+    include(scene.lateral_exchange > 0., {lateral_exchange});
     if constexpr (dim == 1)
-      {
-        assemble_attached();
-        assemble_row();
-      }
-    if (scene.fields.has_temperature)
-      assemble_heat_exchange();
+      make_rod();
+    else
+      assemble();
+    integrals.reset();
+  }
+
+
+
+  template <int dim>
+  FieldMatrices<dim>::~FieldMatrices() = default;
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::assemble()
+  {
+    for (unsigned int kind = 0; kind < n_matrices; ++kind)
+      if (has_[kind])
+        setup(static_cast<Kind>(kind));
+    for (const auto add_part : {&FieldMatrices::add_mass,
+                                &FieldMatrices::add_stiffness,
+                                &FieldMatrices::add_heat_exchange})
+      for (const auto &cell :
+           discretization.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          (this->*add_part)(cell);
     for (SparseMatrix &matrix : matrices)
       if (matrix.m() > 0)
         matrix.compress(VectorOperation::add);
-    if (dim == 1)
-      make_rod();
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::make_rod()
+  {
+    const RodLayout    layout{discretization.n_active_cells(),
+                           discretization.degree()};
+    const unsigned int n = layout.nodes_per_cell();
+    // The sizes of equal cells differ by the rounding of their vertices.
+    const double rounding =
+      4. * std::numeric_limits<double>::epsilon() * layout.n_cells;
+    std::vector<bool> carries(layout.n_cells, false);
+    carries.front() = scene.left.is_any();
+    if (scene.right.is_any())
+      carries.back() = true;
+    for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
+      if (discretization.is_gap(cell))
+        carries[cell] = true;
+
+    // Cells with no part of their own have the same entries if they are as
+    // long: most are not integrated.
+    auto       cell    = discretization.dof_handler().begin_active();
+    double     last    = 0.; // length of the cell whose entries are there
+    const auto repeats = [&](const unsigned int number) {
+      if (number > 0)
+        ++cell;
+      const bool   is_plain = !cell->at_boundary() && !scene.row.is_given();
+      const double size     = cell->measure();
+      if (is_plain && std::abs(size - last) <= 0.5 * rounding * size)
+        return true;
+      last = is_plain ? size : 0.;
+      rod_entries.assign(n_matrices * n * n, 0.);
+      if (!discretization.is_gap(number))
+        {
+          add_mass(cell);
+          add_stiffness(cell);
+        }
+      add_attached(cell);
+      add_gap(cell);
+      add_heat_exchange(cell);
+      return false;
+    };
+    rod_ = std::make_unique<const RodMatrices>(
+      layout,
+      rounding,
+      [&](const Kind kind,
+          const unsigned int,
+          const unsigned int i,
+          const unsigned int j) { return rod_entries[(kind * n + j) * n + i]; },
+      carries,
+      repeats);
+    rod_entries = {};
   }
 
 
@@ -221,9 +334,7 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<types::global_dof_index>
-  FieldMatrices<dim>::dofs(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Field::Block                                    field) const
+  FieldMatrices<dim>::dofs(const Cell &cell, const Field::Block field) const
   {
     std::vector<types::global_dof_index> all(cell->get_fe().dofs_per_cell);
     cell->get_dof_indices(all);
@@ -236,77 +347,27 @@ namespace ThermoContact
 
 
   template <int dim>
-  double &
-  FieldMatrices<dim>::rod_entry(const Kind         kind,
-                                const unsigned int cell,
-                                const unsigned int i,
-                                const unsigned int j)
-  {
-    const std::size_t n = discretization.degree() + 1;
-    return rod_entries
-      [((kind * discretization.n_active_cells() + cell) * n + j) * n + i];
-  }
-
-
-
-  template <int dim>
   void
-  FieldMatrices<dim>::add(
-    const Kind                                            kind,
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const FullMatrix<double>                             &cell_matrix,
-    const double                                          factor)
+  FieldMatrices<dim>::add(const Kind                kind,
+                          const Cell               &cell,
+                          const FullMatrix<double> &cell_matrix,
+                          const double              factor)
   {
     const auto [rows, columns] = fields_of(kind);
-    const bool is_sparse       = matrices[kind].m() > 0;
-    if (!discretization.has_field(rows) || !(is_sparse || dim == 1))
+    if (!discretization.has_field(rows) || !(has_[kind] || dim == 1))
       return;
     FullMatrix<double> block(places[rows].size(), places[columns].size());
     block.extract_submatrix_from(cell_matrix, places[rows], places[columns]);
     block *= factor;
-    if (is_sparse)
-      matrices[kind].add(dofs(cell, rows), dofs(cell, columns), block);
-    if (dim == 1 && kind < n_matrices)
-      for (unsigned int i = 0; i < block.m(); ++i)
+    if constexpr (dim == 1)
+      {
+        double *entry = &rod_entries[kind * block.m() * block.m()];
         for (unsigned int j = 0; j < block.n(); ++j)
-          rod_entry(kind, cell->active_cell_index(), i, j) += block(i, j);
-  }
-
-
-
-  template <int dim>
-  void
-  FieldMatrices<dim>::assemble_attached()
-  {
-    if (!scene.fields.has_displacement)
-      return;
-    const FiniteElement<dim> &fe = discretization.finite_element();
-    FullMatrix<double>        one(fe.dofs_per_cell, fe.dofs_per_cell);
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      for (const unsigned int vertex : {0, 1}) // left, right
-        if (cell->at_boundary(vertex))
-          {
-            const auto &attached   = vertex == 0 ? scene.left : scene.right;
-            const unsigned int dof = fe.component_to_system_index(
-              discretization.first_component(Field::displacement), vertex);
-            const auto add_part = [&](const Kind kind, const double value) {
-              if (value == 0.)
-                return;
-              one           = 0.;
-              one(dof, dof) = value;
-              add(kind, cell, one);
-            };
-            add_part(stiffness, attached.spring);
-            add_part(viscous_stiffness,
-                     attached.dashpot == 0. ?
-                       0. :
-                       attached.dashpot / scene.material.viscous_factor());
-            add_part(momentum_mass,
-                     attached.mass == 0. ?
-                       0. :
-                       attached.mass / scene.material.inertia);
-          }
+          for (unsigned int i = 0; i < block.m(); ++i)
+            *entry++ += block(i, j);
+      }
+    else
+      matrices[kind].add(dofs(cell, rows), dofs(cell, columns), block);
   }
 
 
@@ -342,124 +403,108 @@ namespace ThermoContact
 
   template <int dim>
   void
-  FieldMatrices<dim>::assemble_row()
+  FieldMatrices<dim>::add_attached(const Cell &cell)
   {
-    const FiniteElement<dim> &fe = discretization.finite_element();
-    FullMatrix<double>        matrix(fe.dofs_per_cell, fe.dofs_per_cell);
+    if (!scene.fields.has_displacement || !cell->at_boundary())
+      return;
+    const FiniteElement<dim> &fe  = discretization.finite_element();
+    FullMatrix<double>       &one = integrals->scratch;
+    for (const unsigned int vertex : {0, 1}) // left, right
+      if (cell->at_boundary(vertex))
+        {
+          const auto        &attached = vertex == 0 ? scene.left : scene.right;
+          const unsigned int dof      = fe.component_to_system_index(
+            discretization.first_component(Field::displacement), vertex);
+          const auto add_part = [&](const Kind kind, const double value) {
+            if (value == 0.)
+              return;
+            one           = 0.;
+            one(dof, dof) = value;
+            add(kind, cell, one);
+          };
+          add_part(stiffness, attached.spring);
+          add_part(viscous_stiffness,
+                   attached.dashpot == 0. ?
+                     0. :
+                     attached.dashpot / scene.material.viscous_factor());
+          add_part(momentum_mass,
+                   attached.mass == 0. ?
+                     0. :
+                     attached.mass / scene.material.inertia);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::add_gap(const Cell &cell)
+  {
+    const FiniteElement<dim> &fe     = discretization.finite_element();
+    FullMatrix<double>       &matrix = integrals->scratch;
     const auto place = [&](const Field::Block field, const unsigned int node) {
       return fe.component_to_system_index(discretization.first_component(field),
                                           node);
     };
     const unsigned int right = 1, first_inner = 2; // nodes of a cell
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      {
-        const unsigned int number = cell->active_cell_index();
-        if (!discretization.is_gap(number))
-          continue;
-        // nodes within a gap stay at rest
-        for (const Kind kind : {heat_mass,
-                                conduction,
-                                momentum_mass,
-                                stiffness,
-                                viscous_stiffness})
-          if (const Field::Block field = fields_of(kind)[0];
-              discretization.has_field(field))
+    const unsigned int number = cell->active_cell_index();
+    if (!discretization.is_gap(number))
+      return;
+    // nodes within a gap stay at rest
+    for (const Kind kind :
+         {heat_mass, conduction, momentum_mass, stiffness, viscous_stiffness})
+      if (const Field::Block field = fields_of(kind)[0];
+          discretization.has_field(field))
+        {
+          matrix = 0.;
+          for (unsigned int i = first_inner; i <= fe.degree; ++i)
+            matrix(place(field, i), place(field, i)) = 1.;
+          add(kind, cell, matrix);
+        }
+    for (const RowMass &mass : scene.row.masses)
+      if (mass.vertex == number + 1)
+        for (const Field::Block field : all_fields)
+          if (discretization.has_field(field) &&
+              (field == Field::temperature || scene.material.has_inertia()))
             {
-              matrix = 0.;
-              for (unsigned int i = first_inner; i <= fe.degree; ++i)
-                matrix(place(field, i), place(field, i)) = 1.;
-              add(kind, cell, matrix);
+              matrix               = 0.;
+              const std::size_t at = place(field, right);
+              matrix(at, at)       = field == Field::temperature ?
+                                       mass.heat_capacity :
+                                       mass.mass / scene.material.inertia;
+              add(field == Field::temperature ? heat_mass : momentum_mass,
+                  cell,
+                  matrix);
             }
-        for (const RowMass &mass : scene.row.masses)
-          if (mass.vertex == number + 1)
-            for (const Field::Block field : all_fields)
-              if (discretization.has_field(field) &&
-                  (field == Field::temperature || scene.material.has_inertia()))
-                {
-                  matrix               = 0.;
-                  const std::size_t at = place(field, right);
-                  matrix(at, at)       = field == Field::temperature ?
-                                           mass.heat_capacity :
-                                           mass.mass / scene.material.inertia;
-                  add(field == Field::temperature ? heat_mass : momentum_mass,
-                      cell,
-                      matrix);
-                }
-        for (const RowContact &contact : scene.row.contacts)
-          if (contact.cell == number &&
-              discretization.has_field(Field::temperature))
-            {
-              matrix = 0.;
-              const double k =
-                contact.exchange.value_or(scene.exchange_coefficient);
-              for (const unsigned int i : {0U, right})
-                for (const unsigned int j : {0U, right})
-                  matrix(place(Field::temperature, i),
-                         place(Field::temperature, j)) = i == j ? k : -k;
-              add(conduction, cell, matrix);
-            }
-      }
+    for (const RowContact &contact : scene.row.contacts)
+      if (contact.cell == number &&
+          discretization.has_field(Field::temperature))
+        {
+          matrix = 0.;
+          const double k =
+            contact.exchange.value_or(scene.exchange_coefficient);
+          for (const unsigned int i : {0U, right})
+            for (const unsigned int j : {0U, right})
+              matrix(place(Field::temperature, i),
+                     place(Field::temperature, j)) = i == j ? k : -k;
+          add(conduction, cell, matrix);
+        }
   }
 
 
 
   template <int dim>
   void
-  FieldMatrices<dim>::make_rod()
+  FieldMatrices<dim>::add_mass(const Cell &cell)
   {
-    const RodLayout layout{discretization.n_active_cells(),
-                           discretization.degree()};
-    // The sizes of equal cells differ by the rounding of their vertices.
-    const double rounding =
-      4. * std::numeric_limits<double>::epsilon() * layout.n_cells;
-    std::vector<bool> carries(layout.n_cells, false);
-    carries.front() = scene.left.is_any();
-    if (scene.right.is_any())
-      carries.back() = true;
-    for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
-      if (discretization.is_gap(cell))
-        carries[cell] = true;
-    rod_ = std::make_unique<const RodMatrices>(
-      layout,
-      rounding,
-      [this](const Kind         kind,
-             const unsigned int cell,
-             const unsigned int i,
-             const unsigned int j) { return rod_entry(kind, cell, i, j); },
-      carries);
-    rod_entries = {};
-  }
-
-
-
-  template <int dim>
-  void
-  FieldMatrices<dim>::assemble_mass()
-  {
-    const FiniteElement<dim> &fe        = discretization.finite_element();
-    const bool                is_lumped = scene.has_lumped_mass;
-    const UpdateFlags         flags =
-      update_values | update_quadrature_points | update_JxW_values;
-    FEValues<dim> fe_values(discretization.mapping(),
-                            fe,
-                            mass_quadrature<dim>(fe.degree, is_lumped),
-                            flags);
-    FEValues<dim> axial_values(discretization.mapping(),
-                               fe,
-                               scene.has_midpoint_mass ?
-                                 QMidpoint<dim>() :
-                                 massless_quadrature<dim>(fe.degree, is_lumped),
-                               flags);
-
-    FullMatrix<double> cell_mass(fe.dofs_per_cell, fe.dofs_per_cell);
-    const unsigned int axial =
+    const FiniteElement<dim> &fe = discretization.finite_element();
+    Integrals                &by = *integrals;
+    const unsigned int        axial =
       scene.fields.has_displacement ?
-        discretization.first_component(Field::displacement) :
-        numbers::invalid_unsigned_int;
-
-    const auto integrate = [&](const FEValues<dim> &values,
-                               const unsigned int   number,
+               discretization.first_component(Field::displacement) :
+               numbers::invalid_unsigned_int;
+    const unsigned int number    = cell->active_cell_index();
+    const auto         integrate = [&](const FEValues<dim> &values,
                                const auto          &is_wanted) {
       std::vector<RodCoefficients> at(values.n_quadrature_points);
       const bool                   varies =
@@ -475,158 +520,121 @@ namespace ThermoContact
             const unsigned int c = fe.system_to_component_index(i).first;
             if (c == fe.system_to_component_index(j).first && is_wanted(c))
               for (const unsigned int q : values.quadrature_point_indices())
-                cell_mass(i, j) +=
+                by.mass(i, j) +=
                   (scene.fields.has_temperature && c == 0 ? at[q].heat_mass :
-                                                            at[q].inertia) *
+                                                                    at[q].inertia) *
                   values.shape_value(i, q) * values.shape_value(j, q) *
                   discretization.geometry().weight(values, q);
           }
     };
-    bool had_axial_rule = false;
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          !discretization.is_gap(cell->active_cell_index()))
-        {
-          const bool has_axial_rule =
-            scene.has_midpoint_mass ||
-            (scene.has_massless_nodes && touches_contact_end<dim>(cell));
-          const unsigned int number = cell->active_cell_index();
-          fe_values.reinit(cell);
-          if (!has_last_integrals(discretization, fe_values) ||
-              has_axial_rule != had_axial_rule)
-            {
-              cell_mass = 0.;
-              integrate(fe_values, number, [&](const unsigned int c) {
-                return !(has_axial_rule && c == axial);
-              });
-              if (has_axial_rule)
-                {
-                  axial_values.reinit(cell);
-                  integrate(axial_values, number, [&](const unsigned int c) {
-                    return c == axial;
-                  });
-                }
-            }
-          had_axial_rule = has_axial_rule;
-          for (const Kind kind : {heat_mass, momentum_mass})
-            add(kind, cell, cell_mass, factor(kind, number));
-        }
+    const bool has_axial_rule =
+      scene.has_midpoint_mass ||
+      (scene.has_massless_nodes && touches_contact_end<dim>(cell));
+    by.mass_values.reinit(cell);
+    if (!has_last_integrals(discretization, by.mass_values) ||
+        has_axial_rule != by.had_axial_rule)
+      {
+        by.mass = 0.;
+        integrate(by.mass_values, [&](const unsigned int c) {
+          return !(has_axial_rule && c == axial);
+        });
+        if (has_axial_rule)
+          {
+            by.axial_values.reinit(cell);
+            integrate(by.axial_values,
+                      [&](const unsigned int c) { return c == axial; });
+          }
+      }
+    by.had_axial_rule = has_axial_rule;
+    for (const Kind kind : {heat_mass, momentum_mass})
+      add(kind, cell, by.mass, factor(kind, number));
   }
 
 
 
   template <int dim>
   void
-  FieldMatrices<dim>::assemble_stiffness()
+  FieldMatrices<dim>::add_stiffness(const Cell &cell)
   {
-    const FiniteElement<dim> &fe = discretization.finite_element();
-    FEValues<dim>             fe_values(discretization.mapping(),
-                            fe,
-                            QGauss<dim>(fe.degree + 1),
-                            update_values | update_gradients |
-                              update_quadrature_points | update_JxW_values);
-
-    const unsigned int n = fe.dofs_per_cell;
-    FullMatrix<double> cell_stiffness(n, n), cell_coupling(n, n),
-      cell_viscous(n, n), unused(n, n);
-    std::vector<CellBasis<dim>> basis(n);
-    const FullMatrix<double>    extension =
-      scene.has_elastic_contact_nodes ?
-           extension_to_contact_nodes(discretization) :
-           FullMatrix<double>();
-
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          !discretization.is_gap(cell->active_cell_index()))
-        {
-          const unsigned int number = cell->active_cell_index();
-          const bool         varies =
-            scene.row.is_given() && scene.row.cells[number].varies;
-          const auto rod_at = [&](const Point<dim> &place) {
-            return scene.row.of_rod(number, place[0]);
-          };
-          WeightsAt<dim> weights; // 1, with factors of the cell
-          if (varies)
-            weights = [&rod_at](const Point<dim> &place) -> ProductWeights {
-              const RodCoefficients at = rod_at(place);
-              return {at.conduction, at.stiffness, at.coupling};
-            };
-          fe_values.reinit(cell);
-          if (varies || !has_last_integrals(discretization, fe_values))
-            integrate_products(scene.material,
-                               discretization,
-                               fe_values,
-                               weights,
-                               basis,
-                               cell_stiffness,
-                               cell_coupling);
-          for (const Kind kind : {conduction, stiffness})
-            add(kind, cell, cell_stiffness, factor(kind, number));
-          if (scene.material.has_thermal_stress())
-            for (const Kind kind : {divergence, thermal_stress})
-              add(kind, cell, cell_coupling, factor(kind, number));
-          if (scene.material.has_dashpots && !scene.material.has_viscosity())
-            continue; // they are all that resists velocities
-          if (varies)
-            {
-              weights = [&rod_at](const Point<dim> &place) -> ProductWeights {
-                return {0., rod_at(place).viscosity, 0.};
-              };
-              integrate_products(scene.material,
-                                 discretization,
-                                 fe_values,
-                                 weights,
-                                 basis,
-                                 cell_viscous,
-                                 unused);
-              add(viscous_stiffness, cell, cell_viscous);
-            }
-          else if (scene.has_elastic_contact_nodes &&
-                   touches_contact_end<dim>(cell))
-            {
-              cell_viscous = 0.;
-              cell_viscous.triple_product(cell_stiffness,
-                                          extension,
-                                          extension,
-                                          true);
-              add(viscous_stiffness, cell, cell_viscous);
-            }
-          else
-            add(viscous_stiffness,
-                cell,
-                cell_stiffness,
-                factor(viscous_stiffness, number));
-        }
+    Integrals         &by     = *integrals;
+    const unsigned int number = cell->active_cell_index();
+    const bool varies = scene.row.is_given() && scene.row.cells[number].varies;
+    const auto rod_at = [&](const Point<dim> &place) {
+      return scene.row.of_rod(number, place[0]);
+    };
+    WeightsAt<dim> weights; // 1, with factors of the cell
+    if (varies)
+      weights = [&rod_at](const Point<dim> &place) -> ProductWeights {
+        const RodCoefficients at = rod_at(place);
+        return {at.conduction, at.stiffness, at.coupling};
+      };
+    by.values.reinit(cell);
+    if (varies || !has_last_integrals(discretization, by.values))
+      integrate_products(scene.material,
+                         discretization,
+                         by.values,
+                         weights,
+                         by.basis,
+                         by.stiffness,
+                         by.coupling);
+    for (const Kind kind : {conduction, stiffness})
+      add(kind, cell, by.stiffness, factor(kind, number));
+    if (scene.material.has_thermal_stress())
+      for (const Kind kind : {divergence, thermal_stress})
+        add(kind, cell, by.coupling, factor(kind, number));
+    if (scene.material.has_dashpots && !scene.material.has_viscosity())
+      return; // they are all that resists velocities
+    if (varies)
+      {
+        weights = [&rod_at](const Point<dim> &place) -> ProductWeights {
+          return {0., rod_at(place).viscosity, 0.};
+        };
+        integrate_products(scene.material,
+                           discretization,
+                           by.values,
+                           weights,
+                           by.basis,
+                           by.viscous,
+                           by.scratch);
+        add(viscous_stiffness, cell, by.viscous);
+      }
+    else if (scene.has_elastic_contact_nodes && touches_contact_end<dim>(cell))
+      {
+        by.viscous = 0.;
+        by.viscous.triple_product(by.stiffness,
+                                  by.extension,
+                                  by.extension,
+                                  true);
+        add(viscous_stiffness, cell, by.viscous);
+      }
+    else
+      add(viscous_stiffness,
+          cell,
+          by.stiffness,
+          factor(viscous_stiffness, number));
   }
 
 
 
   template <int dim>
   void
-  FieldMatrices<dim>::assemble_heat_exchange()
+  FieldMatrices<dim>::add_heat_exchange(const Cell &cell)
   {
-    const unsigned int     n = discretization.finite_element().dofs_per_cell;
-    HeatExchangeFaces<dim> faces(scene, discretization);
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        faces.visit(cell,
-                    [&](const CellMatrix &exchange, const bool is_lateral) {
-                      // the end of a gap is that of a mass
-                      if (is_lateral &&
-                          discretization.is_gap(cell->active_cell_index()))
-                        return;
-                      FullMatrix<double> cell_matrix(n, n);
-                      exchange.matrix.scatter_matrix_to(exchange.dofs,
-                                                        exchange.dofs,
-                                                        cell_matrix);
-                      for (const Kind kind : {conduction, heat_exchange})
-                        add(kind, cell, cell_matrix);
-                      if (is_lateral)
-                        add(lateral_exchange, cell, cell_matrix);
-                    });
+    integrals->faces.visit(
+      cell, [&](const CellMatrix &exchange, const bool is_lateral) {
+        // the end of a gap is that of a mass
+        if (is_lateral && discretization.is_gap(cell->active_cell_index()))
+          return;
+        FullMatrix<double> &cell_matrix = integrals->scratch;
+        cell_matrix                     = 0.;
+        exchange.matrix.scatter_matrix_to(exchange.dofs,
+                                          exchange.dofs,
+                                          cell_matrix);
+        for (const Kind kind : {conduction, heat_exchange})
+          add(kind, cell, cell_matrix);
+        if (is_lateral)
+          add(lateral_exchange, cell, cell_matrix);
+      });
   }
 
 

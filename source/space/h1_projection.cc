@@ -208,19 +208,13 @@ namespace ThermoContact
 
   template <int dim>
   Vector
-  H1Projection<dim>::interpolate(const Function<dim> &function,
-                                 const Field::Block   field,
-                                 Vector              &interpolant) const
+  H1Projection<dim>::rest_of_interpolant(const Function<dim> &function,
+                                         const Field::Block   field) const
   {
-    const unsigned int first        = discretization.first_component(field);
-    const auto        &nodal_values = discretization.nodal_values(field);
-    for (unsigned int i = 0; i < nodal_values.size(); ++i)
-      interpolant.local_element(i) =
-        function.value(nodal_values[i].node, first + nodal_values[i].component);
-
-    const FiniteElement<dim>       &fe = discretization.finite_element();
-    const CellLine                  constant(fe.degree, false);
-    const CellLine                  varying(fe.degree, true);
+    const unsigned int        first = discretization.first_component(field);
+    const FiniteElement<dim> &fe    = discretization.finite_element();
+    const CellLine            constant(fe.degree, false);
+    const CellLine            varying(fe.degree, true);
     const std::vector<unsigned int> lexicographic =
       FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
     const auto *const expressions =
@@ -311,8 +305,7 @@ namespace ThermoContact
             rule.weight(q) *
             (fe.base_element(0).shape_grad(first + i, rule.point(q)) *
              fe.base_element(0).shape_grad(first + j, rule.point(q)));
-    if (n > 0)
-      inverse.gauss_jordan();
+    inverse.gauss_jordan();
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
@@ -342,7 +335,15 @@ namespace ThermoContact
         {
           Vector &values =
             field == Field::temperature ? temperature : displacement;
-          const Vector rhs = interpolate(function, field, values);
+          const unsigned int first = discretization.first_component(field);
+          const auto        &nodal_values = discretization.nodal_values(field);
+          for (unsigned int i = 0; i < nodal_values.size(); ++i)
+            values.local_element(i) =
+              function.value(nodal_values[i].node,
+                             first + nodal_values[i].component);
+          if (dim == 1 && discretization.degree() == 1)
+            continue; // vertices alone
+          const Vector rhs = rest_of_interpolant(function, field);
           if constexpr (dim == 1)
             add_in_cells(field, rhs, values);
           else if (rhs.linfty_norm() > 0.)

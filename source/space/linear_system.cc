@@ -60,6 +60,18 @@ namespace ThermoContact
 
 
   template <int dim>
+  LinearSystem<dim>::LinearSystem(
+    std::unique_ptr<const ThermoviscoelasticOperator<dim>> own,
+    const SystemCoefficients                              &coefficients,
+    const Rows                                             rows)
+    : LinearSystem(*own, coefficients, nullptr, rows)
+  {
+    this->own = std::move(own);
+  }
+
+
+
+  template <int dim>
   bool
   LinearSystem<dim>::factorize_rod()
   {
@@ -180,7 +192,7 @@ namespace ThermoContact
   LinearSystem<dim>::set_springs(const std::vector<double> &new_springs,
                                  const std::vector<double> &new_relaxed)
   {
-    Assert(!has_factors(), ExcNotImplemented());
+    Assert(!has_factors() || new_springs.empty(), ExcNotImplemented());
     springs = new_springs;
     relaxed = new_relaxed;
     if (preconditioner != nullptr)
@@ -359,17 +371,10 @@ namespace ThermoContact
   {
     if (!krylov)
       {
-        krylov            = std::make_unique<Krylov>();
-        BlockVector &left = krylov->left;
-        left.reinit(2);
-        for (const Field::Block field : all_fields)
-          left.block(field).reinit(equations.space().make_vector(field));
-        left.collect_sizes();
-        // not assigned: an empty block, of a field that there is not, would
-        // keep the communicator of one rank, and its sums be those of the first
-        // block
-        krylov->scaled.reinit(left);
-        krylov->correction.reinit(left);
+        krylov = std::make_unique<Krylov>();
+        for (BlockVector *vector :
+             {&krylov->left, &krylov->scaled, &krylov->correction})
+          vector->reinit(equations.space().make_block_vector());
       }
     krylov->has_left         = false;
     krylov->largest_residual = 0.;

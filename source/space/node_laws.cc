@@ -175,7 +175,7 @@ namespace ThermoContact
         double        position = values.displacement[i];
         const NodeLaw law = make_node_law(contact, i, state.gap[i], position);
         // it is left where the penetration ends
-        if (law.law_of(law.side).can_be_silent())
+        if (law.local().can_be_silent())
           values.pressure[i] = law.continued_pressure(position);
       }
   }
@@ -223,7 +223,7 @@ namespace ThermoContact
   {
     const double p = state.contact_pressure[node];
     return (p < 0. ? -body.scene.contact.rear_gap : state.gap[node]) +
-           body.scene.contact.law_at(node, p < 0. ? -1 : 1).penetration(p);
+           body.scene.contact.law_under(p, node).penetration(p);
   }
 
 

@@ -58,14 +58,76 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** The field matrices of equations, one after the other. */
+    template <int dim>
+    class AssembledMatrices
+    {
+    public:
+      explicit AssembledMatrices(
+        const ThermoviscoelasticOperator<dim> &equations)
+        : equations(equations)
+      {}
+
+      /** Of a rod assembled from its cells; valid until the next one is. */
+      const SparseMatrix &
+      operator[](const FieldMatrix::Kind kind)
+      {
+        const RodMatrices *const rod = equations.rod();
+        if (rod == nullptr)
+          return (*equations.matrices())[kind];
+        const auto [rows, columns] = fields_of(kind);
+        const auto        &owned   = equations.space().owned_by_block();
+        const unsigned int n       = rod->layout().nodes_per_cell();
+        std::vector<types::global_dof_index> nodes(n);
+        TrilinosWrappers::SparsityPattern    pattern(
+          owned[rows], owned[columns], equations.space().communicator(), 2 * n);
+        const auto for_each_cell = [&](const auto &action) {
+          for (const RodMatrices::Run &run : rod->runs())
+            for (unsigned int cell = run.begin; cell < run.end; ++cell)
+              {
+                for (unsigned int i = 0; i < n; ++i)
+                  nodes[i] = rod->layout().node(cell, i);
+                action(run);
+              }
+        };
+        for_each_cell([&](const RodMatrices::Run &) {
+          for (const types::global_dof_index row : nodes)
+            pattern.add_entries(row, nodes.begin(), nodes.end());
+        });
+        pattern.compress();
+        of_rod.reinit(pattern);
+        FullMatrix<double> entries(n, n);
+        for_each_cell([&](const RodMatrices::Run &run) {
+          const double *entry = rod->entries(run, kind);
+          for (unsigned int j = 0; j < n; ++j)
+            for (unsigned int i = 0; i < n; ++i)
+              entries(i, j) = *entry++;
+          of_rod.add(nodes, nodes, entries);
+        });
+        of_rod.compress(VectorOperation::add);
+        return of_rod;
+      }
+
+    private:
+      const ThermoviscoelasticOperator<dim> &equations;
+      SparseMatrix                           of_rod;
+    };
+  } // namespace
+
+
+
   template <int dim>
   SparseMatrix
   field_matrix(const ThermoviscoelasticOperator<dim> &equations,
                const SystemCoefficients              &coefficients,
                const Field::Block                     field)
   {
-    const FieldMatrices<dim> &matrices = *equations.matrices();
-    SparseMatrix              matrix;
+    AssembledMatrices<dim> matrices(equations);
+    const bool             has_viscous =
+      equations.matrices()->has(FieldMatrix::viscous_stiffness);
+    SparseMatrix matrix;
     matrix.copy_from(
       matrices[field == Field::temperature ? FieldMatrix::heat_mass :
                                              FieldMatrix::momentum_mass]);
@@ -75,7 +137,9 @@ namespace ThermoContact
       if (factor != 0.)
         matrix.add(
           factor,
-          matrices[matrices[kind].m() > 0 ? kind : FieldMatrix::stiffness]);
+          matrices[kind == FieldMatrix::viscous_stiffness && !has_viscous ?
+                     FieldMatrix::stiffness :
+                     kind]);
 
     const IndexSet &constrained = equations.space().constrained(field);
     const std::vector<types::global_dof_index> rows(constrained.begin(),
@@ -93,8 +157,8 @@ namespace ThermoContact
                const double                           scale)
   {
     const Discretization<dim> &space    = equations.space();
-    const FieldMatrices<dim>  &matrices = *equations.matrices();
     const Material            &material = equations.coefficients();
+    AssembledMatrices<dim>     matrices(equations);
     Assert(material.has_thermal_stress(), ExcInternalError());
     TrilinosWrappers::SparsityPattern pattern(space.owned(),
                                               space.owned(),

@@ -813,8 +813,7 @@ namespace ThermoContact
       {
         const EndContact &end         = ends[c];
         new_state.contact_pressure[c] = end.end_pressure;
-        if (body.scene.contact.law_at(c, end.end_pressure < 0. ? -1 : 1)
-              .is_damped() ||
+        if (body.scene.contact.law_under(end.end_pressure, c).is_damped() ||
             (end.end_pressure == 0. && body.scene.contact.is_damped()))
           continue;
         // on the obstacle to the last digit, and never behind it
@@ -1035,7 +1034,7 @@ namespace ThermoContact
     const bool     has_waves = contact.has_waves();
     const auto     law_of    = [&](const double pressure) -> const auto &
     {
-      return body.scene.contact.law_at(c, pressure < 0. ? -1 : 1);
+      return body.scene.contact.law_under(pressure, c);
     };
     const double within =
       path.rear > 0. ? -path.rear : std::max(path.front, 0.);

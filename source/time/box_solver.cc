@@ -51,16 +51,17 @@ namespace ThermoContact
     while (kept.size() >= max_kept)
       kept.pop_back();
 
-    using Block              = RodFactors<1>::Block;
-    const Material &material = body.scene.material;
-    const double    tau      = 0.5 * size;
-    const Block     momentum{{material.inertia, RodMatrices::momentum_mass},
-                         {tau * tau, RodMatrices::stiffness},
-                         {tau * material.viscous_factor(),
-                              RodMatrices::viscous_stiffness}};
-    const auto     &matrices = *body.equations.rod();
-    Factors         factors{size, nullptr, nullptr, nullptr, {}};
-    double          growth = 0.;
+    using Block                    = RodFactors<1>::Block;
+    const Material &material       = body.scene.material;
+    const double    tau            = 0.5 * size;
+    const auto      momentum_block = [&](const SystemCoefficients &c) {
+      const BlockTerms terms = block_terms(c, material, Field::displacement);
+      return Block(terms.begin(), terms.end());
+    };
+    const Block momentum = momentum_block(stage_coefficients(tau));
+    const auto &matrices = *body.equations.rod();
+    Factors     factors{size, nullptr, nullptr, nullptr, {}};
+    double      growth = 0.;
     const auto is_held = [&](const Field::Block field, const unsigned int end) {
       return body.discretization.are_ends_held(field)[end];
     };
@@ -107,9 +108,7 @@ namespace ThermoContact
         factors.viscous = std::make_unique<const RodFactors<1>>(
           matrices,
           RodFactors<1>::Blocks{
-            {{{{{material.inertia, RodMatrices::momentum_mass},
-                {size * material.viscosity,
-                 RodMatrices::viscous_stiffness}}}}}},
+            {{{momentum_block({0., 0., 0., 0., 1., size})}}}},
           held,
           held_right);
         growth = std::max(growth, factors.viscous->growth());

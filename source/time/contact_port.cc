@@ -218,10 +218,10 @@ namespace ThermoContact
 
     FullMatrix<double> receptance(response());
     receptance *= factor;
-    const unsigned int n_sets = problem.solve(receptance, laws, x, pressure);
-    tangents                  = problem.tangents();
+    problem.solve(receptance, laws, x, pressure);
+    tangents = problem.tangents();
     solve_with(pressure);
-    return n_sets;
+    return 0;
   }
 
 
@@ -237,7 +237,7 @@ namespace ThermoContact
     start(forces, rate, 1., y);
     std::vector<AffineLaw> lines(tangents);
     for (const unsigned int i : closing)
-      lines[i] = NodeLaw(laws[i].law_of(laws[i].side)).tangent_of_pressure(0.);
+      lines[i] = NodeLaw(laws[i].local()).tangent_of_pressure(0.);
     for (AffineLaw &line : lines)
       line.offset = 0.;
     if (!system->has_factors())

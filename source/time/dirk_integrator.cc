@@ -28,7 +28,7 @@ namespace ThermoContact
       if (body.scene.is_fixed_point)
         return std::make_unique<FixedPointSolver<dim>>(body);
       if constexpr (dim > 1)
-        if (!body.scene.linear_solver.has_matrices())
+        if (body.scene.linear_solver.is_iterative)
           return std::make_unique<IterativeSolver<dim>>(body);
       return std::make_unique<MonolithicSolver<dim>>(body);
     }

@@ -17,6 +17,10 @@ namespace ThermoContact
     , midpoint(body.discretization.make_state())
     , heat_load(body.discretization.make_vector(Field::temperature))
     , momentum_load(body.discretization.make_vector(Field::displacement))
+    , nodes(body,
+            motion_at_once,
+            this->counters_,
+            LinearSystem<dim>::Rows::contact_end)
   {
     rates.temperature_rate = heat_load;
     rates.velocity         = momentum_load;
@@ -164,9 +168,7 @@ namespace ThermoContact
   EnergyConservingIntegrator<dim>::set_up_contact()
   {
     const unsigned int n = body.contact_end().n_nodes();
-    nodes =
-      std::make_unique<NodeEquilibrium<dim>>(body, 1., this->counters_, true);
-    all_receptance = nodes->receptance();
+    all_receptance       = nodes.receptance();
     receptance.reinit(n, n);
     receptance.fill(all_receptance);
     contact = std::make_unique<ConservingContact>(body.law(), receptance);
@@ -258,11 +260,10 @@ namespace ThermoContact
     const std::vector<double> loss = product(receptance, pressure);
 
     // nodes without pressure follow from the middle of the step to its end
-    std::vector<double> change(pressure);
-    for (unsigned int i = 0; i < change.size(); ++i)
-      change[i] =
-        2. * rates.pressure[i] - state.contact_pressure[i] - change[i];
-    std::vector<double> position = product(all_receptance, change);
+    std::vector<double> more(pressure);
+    for (unsigned int i = 0; i < more.size(); ++i)
+      more[i] = 2. * rates.pressure[i] - state.contact_pressure[i] - more[i];
+    std::vector<double> position = product(all_receptance, more);
     for (unsigned int i = 0; i < position.size(); ++i)
       {
         position[i] =
@@ -271,7 +272,11 @@ namespace ThermoContact
                                  free_position[i] - loss[i];
         displacement[i] = position[i] - displacement[i];
       }
-    nodes->add_heating(displacement, new_state.temperature);
+    Vector change = body.discretization.make_vector(Field::displacement);
+    body.contact_end().set_all_values(Field::displacement,
+                                      displacement,
+                                      change);
+    nodes.add_heating(change, new_state.temperature);
     for (const auto &[node, entry] :
          body.contact_end().all_entries(Field::displacement))
       {

@@ -6,27 +6,17 @@
 namespace ThermoContact
 {
   template <int dim>
-  Equilibrium<dim>::Equilibrium(const Body<dim> &body,
-                                const Matrix     matrix,
-                                SolverCounters  &counters)
+  Equilibrium<dim>::Equilibrium(const Body<dim>          &body,
+                                const SystemCoefficients &coefficients,
+                                SolverCounters           &counters,
+                                const Rows                rows)
     : body(body)
-    , matrix(matrix)
+    , coefficients(body.equations.is_coupled() ?
+                     coefficients :
+                     coefficients.of(Field::displacement))
+    , rows(rows)
     , counters(counters)
   {}
-
-
-
-  template <int dim>
-  const SystemCoefficients &
-  Equilibrium<dim>::coefficients() const
-  {
-    return matrix == Matrix::inertia ? motion_by_inertia :
-           matrix == Matrix::at_once && body.equations.is_coupled() ?
-                                       motion_at_once :
-           dim == 1 && body.scene.material.has_viscosity() ?
-                                       motion_by_viscosity :
-                                       motion_by_stiffness;
-  }
 
 
 
@@ -36,9 +26,11 @@ namespace ThermoContact
   {
     if (!body.nonlinear)
       return;
-    system.reset();
-    own_equations = std::make_unique<const ThermoviscoelasticOperator<dim>>(
-      body.equations, body.nonlinear->at(state.temperature));
+    keep(std::make_unique<LinearSystem<dim>>(
+      std::make_unique<const ThermoviscoelasticOperator<dim>>(
+        body.equations, body.nonlinear->at(state.temperature)),
+      coefficients,
+      rows));
   }
 
 
@@ -49,18 +41,23 @@ namespace ThermoContact
   {
     if (system)
       return;
-    if (matrix != Matrix::inertia)
+    if (rows == Rows::all && coefficients.stiffness != 0.)
       preconditioner = make_motion_preconditioner(body);
-    auto made =
-      std::make_unique<LinearSystem<dim>>(equations(),
-                                          coefficients(),
-                                          nullptr,
-                                          LinearSystem<dim>::Rows::all,
-                                          preconditioner.get());
-    counters.factorizations += made->n_factorizations();
+    keep(std::make_unique<LinearSystem<dim>>(
+      body.equations, coefficients, nullptr, rows, preconditioner.get()));
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::keep(std::unique_ptr<LinearSystem<dim>> made)
+  {
     port = std::make_unique<ContactPort<dim>>(body, *made);
-    if (made->has_factors() && body.law().is_active())
-      counters.responses += port->response().m();
+    counters.factorizations += made->n_factorizations();
+    counters.responses += made->n_responses();
+    if (rows == Rows::all && body.law().is_active())
+      counters.responses += port->provide_response();
     system = std::move(made);
   }
 
@@ -68,7 +65,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  Equilibrium<dim>::solve(const Vector               *forces,
+  Equilibrium<dim>::solve(const Vector               &forces,
                           const std::vector<NodeLaw> &laws,
                           const std::vector<double>  &position,
                           const double                factor,
@@ -76,28 +73,73 @@ namespace ThermoContact
                           std::vector<double>        &pressure)
   {
     provide();
-    const Vector  none = body.discretization.make_vector(Field::displacement);
-    const Vector &r    = forces != nullptr ? *forces : none;
     const unsigned int n_iterations = system->n_iterations();
     const unsigned int n_made = preconditioner ? preconditioner->n_made() : 0;
-    if (!system->has_factors())
-      system->set_springs({}, {});
+    system->set_springs({}, {});
     y = 0.;
     if (laws.empty() || !body.law().is_active())
-      system->solve(y, r);
+      system->solve(y, forces);
     else
       {
         pressure.resize(laws.size(), 0.);
-        const unsigned int n_sets =
-          port->solve_contact(r, laws, position, factor, y, pressure);
-        if (!system->has_factors())
-          counters.active_set_iterations += n_sets;
+        counters.active_set_iterations +=
+          port->solve_contact(forces, laws, position, factor, y, pressure);
       }
     if (preconditioner)
       {
         counters.factorizations += preconditioner->n_made() - n_made;
         counters.linear_iterations += system->n_iterations() - n_iterations;
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::solve_rates(const Vector                    &forces,
+                                const std::vector<double>       &rate,
+                                const std::vector<NodeLaw>      &laws,
+                                const std::vector<unsigned int> &closing,
+                                Vector                          &y)
+  {
+    port->solve_rates(forces, rate, laws, closing, y);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::add_heating(const Vector &change, Vector &temperature)
+  {
+    if (coefficients.heating == 0.)
+      return;
+    provide();
+    Vector heat(temperature);
+    system->heat_of_motion(heat, change);
+    temperature += heat;
+  }
+
+
+
+  template <int dim>
+  FullMatrix<double>
+  Equilibrium<dim>::receptance()
+  {
+    provide();
+    const ContactEnd<dim> &end = body.contact_end();
+    Vector forces = body.discretization.make_vector(Field::displacement);
+    Vector displacement(forces);
+    FullMatrix<double>  result(end.n_all_nodes(), end.n_nodes());
+    std::vector<double> column;
+    for (unsigned int j = 0; j < result.n(); ++j)
+      {
+        end.set_load_of_node(Field::displacement, j, 1., forces);
+        system->solve(displacement, forces);
+        end.get_all_values(Field::displacement, displacement, column);
+        for (unsigned int i = 0; i < result.m(); ++i)
+          result(i, j) = column[i];
+      }
+    return result;
   }
 
 

@@ -176,7 +176,7 @@ namespace ThermoContact
       {
         if (is_closed[i])
           laws[i].compliance =
-            NodeLaw(body.scene.contact.law_at(i, pressure[i] < 0. ? -1 : 1))
+            NodeLaw(body.scene.contact.law_under(pressure[i], i))
               .tangent_of_pressure(pressure[i])
               .compliance;
         displacement[i] *= -1.;

@@ -22,14 +22,9 @@ namespace ThermoContact
     , warnings(warnings)
     , hierarchies(body)
   {
-    rhs.reinit(2);
-    for (const Field::Block field : all_fields)
-      rhs.block(field).reinit(body.discretization.make_vector(field));
-    rhs.collect_sizes();
-    // not assigned: an empty block, of a field that there is not, would keep
-    // the communicator of one rank, and its sums be those of the first block
-    for (BlockVector *vector : {&solution, &measure.weights, &measure.inverses})
-      vector->reinit(rhs);
+    for (BlockVector *vector :
+         {&rhs, &solution, &measure.weights, &measure.inverses})
+      vector->reinit(body.discretization.make_block_vector());
     if (body.scene.contact.has_massless_nodes &&
         body.scene.material.has_inertia())
       {

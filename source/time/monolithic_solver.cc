@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/number_text.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/text.h>
@@ -65,18 +64,31 @@ namespace ThermoContact
     const StopWatch watch(counters_.factorization_seconds);
     while (factorizations.size() >= max_factorizations)
       factorizations.pop_back();
-    factorizations.push_front(
-      {tau,
-       LinearSystem<dim>(equations(), stage_coefficients(tau)),
-       {},
-       EndResponse()});
+    keep(tau, LinearSystem<dim>(body.equations, stage_coefficients(tau)));
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::factorize(
+    const double                                           tau,
+    std::unique_ptr<const ThermoviscoelasticOperator<dim>> tangents)
+  {
+    const StopWatch watch(counters_.factorization_seconds);
+    factorizations.clear();
+    keep(tau, LinearSystem<dim>(std::move(tangents), stage_coefficients(tau)));
+  }
+
+
+
+  template <int dim>
+  void
+  MonolithicSolver<dim>::keep(const double tau, LinearSystem<dim> &&made)
+  {
+    factorizations.push_front({tau, std::move(made), {}, EndResponse()});
     const LinearSystem<dim> &system = factorizations.front().system;
     counters_.factorizations += system.n_factorizations();
-    if (own_equations && system.refused_growth() > 0.)
-      throw ComputationError(text("the blocks of the tangent matrix grow by ",
-                                  significant(system.refused_growth(), 2),
-                                  " in a stage of length ",
-                                  significant(tau, 3)));
     if (system.refused_growth() > 0. &&
         !std::exchange(has_refused_blocks, true))
       warnings.push_back(
@@ -180,7 +192,7 @@ namespace ThermoContact
     RetainedFactorizations retained;
     retained.counters           = counters_;
     retained.has_refused_blocks = has_refused_blocks;
-    if (own_equations)
+    if (body.nonlinear)
       return retained; // each stage has its own
     for (const Factorization &factorization : factorizations)
       {
@@ -342,17 +354,6 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::set_equations(
-    std::unique_ptr<const ThermoviscoelasticOperator<dim>> tangents)
-  {
-    factorizations.clear();
-    own_equations = std::move(tangents);
-  }
-
-
-
-  template <int dim>
-  void
   MonolithicSolver<dim>::solve(const State      &known,
                                const double      tau,
                                const Vector     &heat_load,
@@ -426,10 +427,9 @@ namespace ThermoContact
     std::vector<double>       slope(is_closed.size(), 0.);
     for (unsigned int i = 0; i < slope.size(); ++i)
       if (is_closed[i])
-        slope[i] =
-          NodeLaw(body.scene.contact.law_at(i, pressure[i] < 0. ? -1 : 1))
-            .tangent_of_pressure(pressure[i])
-            .slope(receptance(i, i));
+        slope[i] = NodeLaw(body.scene.contact.law_under(pressure[i], i))
+                     .tangent_of_pressure(pressure[i])
+                     .slope(receptance(i, i));
     const std::vector<double> change =
       change_of_pressure(receptance, slope, displacement);
 
@@ -493,11 +493,12 @@ namespace ThermoContact
     const double tau = factorizations.front().tau;
     body.equations.stage_rhs(
       known, tau, heat_load, momentum_load, heat_rhs, momentum_rhs);
-    equations().product(stage_coefficients(tau),
-                        rates.temperature_rate,
-                        rates.velocity,
-                        products.temperature_rate,
-                        products.velocity);
+    factorizations.front().system.of_equations().product(
+      stage_coefficients(tau),
+      rates.temperature_rate,
+      rates.velocity,
+      products.temperature_rate,
+      products.velocity);
     if (body.scene.fields.has_temperature)
       heat_rhs -= products.temperature_rate;
     momentum_rhs -= products.velocity;
@@ -508,8 +509,8 @@ namespace ThermoContact
                                      tau,
                                      momentum_rhs);
     if (body.scene.fields.has_temperature)
-      equations().zero_constrained(Field::temperature, heat_rhs);
-    equations().zero_constrained(Field::displacement, momentum_rhs);
+      body.equations.zero_constrained(Field::temperature, heat_rhs);
+    body.equations.zero_constrained(Field::displacement, momentum_rhs);
   }
 
 

@@ -73,7 +73,7 @@ namespace ThermoContact
     };
     add_product(1., *tangents);
     add_product(-1., body.equations);
-    linear.set_equations(std::move(tangents));
+    linear.factorize(tau, std::move(tangents));
   }
 
 

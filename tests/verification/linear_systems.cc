@@ -14,7 +14,6 @@
 //    in contact. a = 1.
 
 #include <thermocontact/time/equilibrium.h>
-#include <thermocontact/time/node_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>
@@ -107,29 +106,25 @@ namespace
             const bool       is_rigid,
             const bool       is_heavy)
   {
-    const Scene                scene(read_parameters("", square + overrides));
-    const Body<2>              body(scene, MPI_COMM_SELF);
-    SolverCounters             counters;
-    Equilibrium<2>             equilibrium(body,
-                               is_heavy ? Equilibrium<2>::Matrix::inertia :
-                                                      Equilibrium<2>::Matrix::stiffness,
-                               counters);
+    const Scene               scene(read_parameters("", square + overrides));
+    const Body<2>             body(scene, MPI_COMM_SELF);
+    SolverCounters            counters;
+    const SystemCoefficients &matrix =
+      is_heavy ? motion_by_inertia : motion_by_stiffness;
+    Equilibrium<2>             equilibrium(body, matrix, counters);
     const Vector               forces = some_forces(body);
     Vector                     y(forces), product(forces);
     const std::vector<NodeLaw> laws(body.contact_end().n_nodes(),
                                     NodeLaw(body.law()));
     std::vector<double>        x = some_positions(body);
     Answer                     answer;
-    equilibrium.solve(&forces, laws, x, 1., y, answer.pressure);
+    equilibrium.solve(forces, laws, x, 1., y, answer.pressure);
 
     body.contact_end().get_values(Field::displacement, y, answer.at_nodes);
     for (unsigned int i = 0; i < x.size(); ++i)
       x[i] += answer.at_nodes[i];
     answer.misfit = misfit_of_laws(is_rigid, x, answer.pressure);
-    body.equations.product(is_heavy ? motion_by_inertia : motion_by_stiffness,
-                           Field::displacement,
-                           y,
-                           product);
+    body.equations.product(matrix, Field::displacement, y, product);
     product -= forces;
     body.contact_end().subtract_load(Field::displacement,
                                      answer.pressure,
@@ -144,17 +139,16 @@ namespace
   /** Of the rows of the contact end, and of heat. */
   double
   left_by_nodes(const Body<2>             &body,
-                const std::vector<double> &change,
+                const Vector              &u,
                 const std::vector<double> &pressure,
                 const std::vector<double> &load,
-                NodeEquilibrium<2>        &nodes)
+                Equilibrium<2>            &nodes)
   {
     const ContactEnd<2> &end = body.contact_end();
-    Vector u = body.discretization.make_vector(Field::displacement), force(u);
+    Vector               force(u);
     Vector theta = body.discretization.make_vector(Field::temperature),
            heat(theta);
-    end.set_all_values(Field::displacement, change, u);
-    nodes.add_heating(change, theta);
+    nodes.add_heating(u, theta);
     body.equations.stiffness.vmult(force, u);
     body.equations.add_thermal_stress(theta, -1., force);
     std::vector<double> at_nodes;
@@ -187,7 +181,10 @@ namespace
     const Body<2>              body(scene, MPI_COMM_SELF);
     const ContactEnd<2>       &end = body.contact_end();
     SolverCounters             counters;
-    NodeEquilibrium<2>         nodes(body, 1., counters, takes_heat);
+    Equilibrium<2>             nodes(body,
+                         takes_heat ? motion_at_once : motion_without_heat,
+                         counters,
+                         Equilibrium<2>::Rows::contact_end);
     const std::vector<NodeLaw> laws(end.n_nodes(), NodeLaw(body.law()));
     std::vector<double>        x = some_positions(body), load, rate;
     for (const auto &node : end.all_nodes())
@@ -196,22 +193,26 @@ namespace
         rate.push_back(0.02 * std::sin(5. * node.position[1]));
       }
     std::array<Answer, 2> answers;
-    answers[0].pressure.resize(laws.size(), 0.);
-    answers[0].at_nodes = nodes.solve(load, laws, x, answers[0].pressure);
+    Vector forces = body.discretization.make_vector(Field::displacement);
+    Vector change(forces);
+    end.set_all_values(Field::displacement, load, forces);
+    nodes.solve(forces, laws, x, 1., change, answers[0].pressure);
+    end.get_all_values(Field::displacement, change, answers[0].at_nodes);
     for (unsigned int i = 0; i < x.size(); ++i)
       x[i] += answers[0].at_nodes[i];
     answers[0].misfit = misfit_of_laws(false, x, answers[0].pressure);
-    answers[0].left   = left_by_nodes(
-      body, answers[0].at_nodes, answers[0].pressure, load, nodes);
+    answers[0].left =
+      left_by_nodes(body, change, answers[0].pressure, load, nodes);
 
-    answers[1].at_nodes = nodes.solve_rates(load, rate, {}, {});
+    nodes.solve_rates(forces, rate, {}, {}, change);
+    end.get_all_values(Field::displacement, change, answers[1].at_nodes);
     for (unsigned int i = 0; i < x.size(); ++i)
       answers[1].pressure.push_back(answers[0].pressure[i] > 0. ?
                                       (rate[i] + answers[1].at_nodes[i]) /
                                         epsilon :
                                       0.);
-    answers[1].left = left_by_nodes(
-      body, answers[1].at_nodes, answers[1].pressure, load, nodes);
+    answers[1].left =
+      left_by_nodes(body, change, answers[1].pressure, load, nodes);
     return answers;
   }
 

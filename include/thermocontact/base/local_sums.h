@@ -40,6 +40,7 @@ namespace ThermoContact
           factors[k] = multiples[k].factor;
           x[k]       = multiples[k].vector->begin();
         }
+#pragma omp simd
       for (unsigned int i = 0; i < size; ++i)
         {
           double sum = base[i];
@@ -106,6 +107,7 @@ namespace ThermoContact
     const double *const b    = z.begin();
     double *const       c    = y.begin();
     const unsigned int  size = y.locally_owned_size();
+#pragma omp simd
     for (unsigned int i = 0; i < size; ++i)
       c[i] = factor * (a[i] - b[i]);
   }

@@ -106,6 +106,9 @@ namespace ThermoContact
      */
     inline constexpr double same_coordinate = 1e-11;
 
+    /** Length of a closed gap in the mesh of a row, in parts of its bodies. */
+    inline constexpr double closed_gap = 1e-9;
+
     // ---- contact
 
     /** Of an event, where steps are fixed and no tolerance is given. */
@@ -140,6 +143,9 @@ namespace ThermoContact
 
     /** Krylov: if the user names none; results then have 1e-8. */
     inline constexpr double default_residual = 1e-9;
+
+    /** Krylov: from which on a user may not ask for less. */
+    inline constexpr double loosest_residual = 1e-2;
 
     /** Projections of initial values: the digits that later steps keep. */
     inline constexpr double projection_residual = 1e-11;
@@ -205,6 +211,12 @@ namespace ThermoContact
     inline constexpr double most_cell_steps = 1e8;
 
     // ---- forecasts
+
+    /** Part of the end time that a step of masses takes without contact. */
+    inline constexpr double step_of_masses = 1e-3;
+
+    /** The last cell over the first, at least: shorter contacts are short. */
+    inline constexpr double steepest_grading = 1e-4;
 
     /** Tolerance of the run on a few cells that finds the first impact. */
     inline constexpr double forecast_run = 1e-3;

@@ -262,6 +262,13 @@ namespace ThermoContact
       return sign < 0 && rear_law != nullptr ? *rear_law : *law;
     }
 
+    /** The law of the local obstacle. */
+    const ContactLaw &
+    local() const
+    {
+      return law_of(side);
+    }
+
     /** True if the node is in contact at a position, with this pressure. */
     bool
     is_in_contact(const double position, const double pressure) const;

@@ -67,10 +67,8 @@ namespace ThermoContact
       stiffness,         ///< $S$
       viscous_stiffness, ///< $S_\zeta$
       heat_exchange, ///< the part of conduction that is lost at constant values
-      n_matrices,    ///< of a rod
-
-      lateral_exchange = n_matrices, ///< $L$
-      n_kinds
+      lateral_exchange, ///< $L$, a part of that
+      n_matrices
     };
   };
 
@@ -100,11 +98,15 @@ namespace ThermoContact
      *   the largest one of the matrix in the cell
      * @param carries of each cell whether something is attached to one of its
      *   vertices, of which its entries have a part; empty: of none
+     * @param repeats asked of each cell, in order, before its entries: true if
+     *   they are those of the cell before and nothing is attached to both;
+     *   empty: entries alone say so
      */
-    RodMatrices(const RodLayout         &layout,
-                const double             tolerance,
-                const Entry             &entry,
-                const std::vector<bool> &carries = {});
+    RodMatrices(const RodLayout                               &layout,
+                const double                                   tolerance,
+                const Entry                                   &entry,
+                const std::vector<bool>                       &carries = {},
+                const std::function<bool(const unsigned int)> &repeats = {});
 
     const RodLayout &
     layout() const

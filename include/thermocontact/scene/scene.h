@@ -291,31 +291,47 @@ namespace ThermoContact
                                                           law_of(side);
     }
 
-    /** True if @p condition holds for a law of the scene. */
-    template <typename Condition>
-    bool
-    any_law(const Condition &condition) const
+    /** The law that gives a contact node this pressure. */
+    const ContactLaw &
+    law_under(const double pressure, const unsigned int node) const
     {
-      return condition(*law) || condition(law_of(-1)) ||
+      return law_at(node, pressure < 0. ? -1 : 1);
+    }
+
+    /** Whether one of the laws has a property. */
+    template <typename Has>
+    bool
+    any(const Has &has) const
+    {
+      return has(*law) || has(law_of(-1)) ||
              std::any_of(pair_laws.begin(),
                          pair_laws.end(),
-                         [&](const auto &one) {
-                           return one && condition(*one);
-                         });
+                         [&](const auto &one) { return one && has(*one); });
     }
 
     /** A pressure depends on the velocity. */
     bool
     is_damped() const
     {
-      return any_law([](const ContactLaw &one) { return one.is_damped(); });
+      return any([](const ContactLaw &one) { return one.is_damped(); });
     }
 
-    /** One of the obstacles has $d>0$, (M4.2). */
+    /** $d$, (M4.2), of the obstacle that has the largest one. */
+    double
+    dashpot() const
+    {
+      double largest = 0.;
+      any([&](const ContactLaw &one) {
+        largest = std::max(largest, one.dashpot());
+        return false;
+      });
+      return largest;
+    }
+
     bool
     has_dashpot() const
     {
-      return any_law([](const ContactLaw &one) { return one.dashpot() > 0.; });
+      return dashpot() > 0.;
     }
 
     /** Of the hardest obstacle that has one. */
@@ -323,7 +339,7 @@ namespace ThermoContact
     compliance() const
     {
       std::optional<double> smallest;
-      any_law([&](const ContactLaw &one) {
+      any([&](const ContactLaw &one) {
         if (const auto compliance = one.compliance())
           smallest = std::min(smallest.value_or(infinity), *compliance);
         return false;
@@ -399,13 +415,6 @@ namespace ThermoContact
     name() const
     {
       return is_iterative ? "iterative" : "direct";
-    }
-
-    /** The field matrices are there, and what is solved is factorised. */
-    bool
-    has_matrices() const
-    {
-      return !is_iterative;
     }
   };
 

@@ -32,6 +32,7 @@ namespace ThermoContact
     bool           has_massless_nodes;
     bool           has_elastic_contact_nodes;
     bool           has_matrices;
+    unsigned int   n_halvings;   ///< of the mesh, for coarser ones
     double exchange_coefficient; ///< $k$ of the contact end, if constant
     double lateral_exchange;     ///< $m$, (M5.5)
     bool   has_free_end;

@@ -9,7 +9,6 @@
 #include <thermocontact/space/linear_system.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/equilibrium.h>
-#include <thermocontact/time/node_equilibrium.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -172,18 +171,18 @@ namespace ThermoContact
     restore(const std::vector<bool> &retained, const SolverCounters &counters);
 
   private:
-    using Nodes = std::unique_ptr<NodeEquilibrium<dim>>;
+    using Rows = typename Equilibrium<dim>::Rows;
 
-    Body<dim>                              &body;
-    SolverCounters                          counters_;
-    const std::unique_ptr<Equilibrium<dim>> inertia;
-    const std::unique_ptr<Equilibrium<dim>> stiffness;
-    const std::unique_ptr<Equilibrium<dim>> at_once;
+    Body<dim>       &body;
+    SolverCounters   counters_;
+    Equilibrium<dim> inertia;   ///< $bM_u$; laws are rigid and hold their nodes
+    Equilibrium<dim> stiffness; ///< of a body without inertia
+    Equilibrium<dim> at_once;   ///< $S+a^2D^TM^{-1}D$ of a static body, (C4.4)
 
-    // of contact nodes without mass, made when they are needed
-    Nodes static_nodes;    ///< $S_{NN}$
-    Nodes adiabatic_nodes; ///< the same for a body that is deformed at once
-    Nodes viscous_nodes;   ///< $\zeta S_{NN}$
+    // of contact nodes without mass
+    Equilibrium<dim> static_nodes;    ///< $S_{NN}$
+    Equilibrium<dim> adiabatic_nodes; ///< the same for a body moved at once
+    Equilibrium<dim> viscous_nodes;   ///< $\zeta S_{NN}$
 
     std::unique_ptr<LinearSystem<dim>> heat_mass; ///< if it is needed
 
@@ -194,10 +193,6 @@ namespace ThermoContact
     /** $M$, made when it is needed. */
     LinearSystem<dim> &
     provide_heat_mass();
-
-    /** $S_{NN}$ with the heat of the motion, likewise. */
-    NodeEquilibrium<dim> &
-    provide_adiabatic_nodes();
 
     /** The loads at a time. */
     Vector
@@ -234,8 +229,12 @@ namespace ThermoContact
            const Vector &momentum_load,
            const Vector *velocity = nullptr) const;
 
-    /** forces() at the nodes of the contact end. */
-    std::vector<double>
+    /** The rows of the contact end; zero in all others. */
+    Vector
+    rows_of_end(const Vector &rows) const;
+
+    /** Forces on the nodes of the contact end. */
+    Vector
     node_forces(const State &state, const Vector *velocity = nullptr) const;
 
     /**

@@ -4,6 +4,7 @@
 #define thermocontact_simulation_spatial_error_monitor_h
 
 #include <thermocontact/contact/event_locator.h>
+#include <thermocontact/rod/rod_matrices.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/space/discretization.h>
@@ -97,7 +98,7 @@ namespace ThermoContact
 
   private:
     const Scene        &scene;
-    const unsigned int  n_cell_nodes;
+    const RodLayout     layout;
     std::vector<double> cell_sizes;
 
     /** The parts of a cell in differences of neighbours; of low degrees. */
@@ -107,9 +108,6 @@ namespace ThermoContact
       double before      = 0.; ///< of the coefficient of the cell before
       double square      = 0.; ///< of the square of a difference
     };
-
-    /** Positions of the nodes of a field, cell by cell along the rod. */
-    std::vector<unsigned int> entries[2];
 
     /** By field. */
     std::vector<CellFactors> factors[2];
@@ -125,9 +123,11 @@ namespace ThermoContact
     double       max_mechanical = 0.;
     bool         has_warned     = false;
 
-    template <int dim>
-    void
-    add_cells(const Discretization<dim> &discretization);
+    /** The nodal values of a cell, weighted. */
+    double
+    product(const std::vector<double> &weights,
+            const unsigned int         cell,
+            const Vector              &vector) const;
 
     /** Makes the factors of a field. @param n_derivatives 1 for the strain, else 0 */
     void
@@ -144,12 +144,11 @@ namespace ThermoContact
          const unsigned int n_derivatives) const;
 
     void
-    add_last_coefficients(const Field::Block field,
-                          const Vector      &vector,
-                          const double       upper_factor,
-                          const double       lower_factor,
-                          const int          power,
-                          MeshTail          &tail) const;
+    add_last_coefficients(const Vector &vector,
+                          const double  upper_factor,
+                          const double  lower_factor,
+                          const int     power,
+                          MeshTail     &tail) const;
 
     void
     add_differences(const Field::Block field,

@@ -310,6 +310,14 @@ namespace ThermoContact
     BlockVector
     make_ghosted_vector() const;
 
+    /**
+     * A block for each field, of the layout of make_vector(). For reinit(), not
+     * to be assigned: an empty block, of a field that there is not, would keep
+     * the communicator of one rank, and its sums be those of the first block.
+     */
+    BlockVector
+    make_block_vector() const;
+
     /** The block of a field that the scene has in a ghosted vector. */
     unsigned int
     ghosted_block(const Field::Block field) const

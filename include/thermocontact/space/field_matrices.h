@@ -14,10 +14,16 @@
 
 namespace ThermoContact
 {
+  /** Of rows and columns of a matrix. */
+  std::array<Field::Block, 2>
+  fields_of(const FieldMatrix::Kind kind);
+
+
+
   /**
-   * The matrices of both fields, doc/discretisation.md section 1, assembled
-   * once without constraints, in the numbering of their fields; matrices that
-   * the scene does not have are empty.
+   * The matrices of both fields, doc/discretisation.md section 1, made once
+   * without constraints, in the numbering of their fields: of a rod cell by
+   * cell, of a body assembled.
    *
    * The mass matrices may be lumped, and in the cells of the contact end that
    * of the displacement may be such that the contact nodes have no mass,
@@ -31,13 +37,23 @@ namespace ThermoContact
     FieldMatrices(const SpatialScene        &scene,
                   const Discretization<dim> &discretization);
 
+    ~FieldMatrices();
+
+    /** Whether the scene has such a matrix. */
+    bool
+    has(const Kind kind) const
+    {
+      return has_[kind];
+    }
+
+    /** Of a body; empty if the scene does not have it. */
     const SparseMatrix &
     operator[](const Kind kind) const
     {
       return matrices[kind];
     }
 
-    /** All of them cell by cell, of a rod; else null. */
+    /** All of them, of a rod; else null. */
     const RodMatrices *
     rod() const
     {
@@ -45,71 +61,76 @@ namespace ThermoContact
     }
 
   private:
-    const SpatialScene                 scene;
-    const Discretization<dim>         &discretization;
-    std::array<SparseMatrix, n_kinds>  matrices;
-    std::unique_ptr<const RodMatrices> rod_;
+    using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+    const SpatialScene                   scene;
+    const Discretization<dim>           &discretization;
+    std::array<bool, n_matrices>         has_{};
+    std::array<SparseMatrix, n_matrices> matrices;
+    std::unique_ptr<const RodMatrices>   rod_;
 
     /** Places of the unknowns of a field among those of a cell. */
     std::array<std::vector<std::size_t>, 2> places;
 
-    /** Of the cells of a rod, while they are assembled: matrix by matrix, cell
-     * by cell, column by column. */
+    /** Quadrature in cells, and what was found in the last one. */
+    struct Integrals;
+
+    std::unique_ptr<Integrals> integrals; ///< while matrices are made
+
+    /** Of the present cell of a rod: matrix by matrix, column by column. */
     std::vector<double> rod_entries;
 
     /** The unknowns of a field in a cell. */
     std::vector<types::global_dof_index>
-    dofs(const typename DoFHandler<dim>::active_cell_iterator &cell,
-         const Field::Block                                    field) const;
-
-    double &
-    rod_entry(const Kind         kind,
-              const unsigned int cell,
-              const unsigned int i,
-              const unsigned int j);
+    dofs(const Cell &cell, const Field::Block field) const;
 
     /** An empty matrix of the right pattern. */
     void
     setup(const Kind kind);
 
+    /** Of a body. */
+    void
+    assemble();
+
+    /**
+     * Not from assembled matrices: in a row of those the parts of two cells
+     * cannot be told apart, and cells that differ by rounding could not be
+     * treated as the same without forces on a rod that does not move.
+     */
+    void
+    make_rod();
+
+    // The parts of a cell.
+
     /** Adds a factor times the matrix of a cell, in all of its degrees of
      * freedom. */
     void
-    add(const Kind                                            kind,
-        const typename DoFHandler<dim>::active_cell_iterator &cell,
-        const FullMatrix<double>                             &cell_matrix,
-        const double                                          factor = 1.);
+    add(const Kind                kind,
+        const Cell               &cell,
+        const FullMatrix<double> &cell_matrix,
+        const double              factor = 1.);
 
     /** The factor of a coefficient in a cell of a row, (M10.1); else 1. */
     double
     factor(const Kind kind, const unsigned int cell) const;
 
     void
-    assemble_mass();
+    add_mass(const Cell &cell);
 
     void
-    assemble_stiffness();
+    add_stiffness(const Cell &cell);
 
     /** Springs, dashpots and masses of the ends of a rod. */
     void
-    assemble_attached();
+    add_attached(const Cell &cell);
 
-    /** Masses and contacts of a row. */
+    /** Masses and contacts of a row in one of its gaps. */
     void
-    assemble_row();
+    add_gap(const Cell &cell);
 
     /** Of the contact end, and with the surroundings. */
     void
-    assemble_heat_exchange();
-
-    /**
-     * The matrices of the cells of a rod. Not the assembled ones: in a row of
-     * those the parts of two cells cannot be told apart, and cells that differ
-     * by rounding could not be treated as the same without forces on a rod that
-     * does not move.
-     */
-    void
-    make_rod();
+    add_heat_exchange(const Cell &cell);
   };
 } // namespace ThermoContact
 

@@ -56,14 +56,11 @@ namespace ThermoContact
     /** Positions of the values of the fields that are kept, in local parts. */
     std::array<std::vector<unsigned int>, 2> kept_entries;
 
-    /**
-     * @param interpolant out: $w_h$ with the values of $w$ at the nodes
-     * @return $(\nabla(w-w_h),\nabla\eta)$, of the correction
-     */
+    /** $(\nabla(w-w_h),\nabla\eta)$ of the correction, where $w_h$ has the
+     * values of $w$ at the nodes. */
     Vector
-    interpolate(const Function<dim> &function,
-                const Field::Block   field,
-                Vector              &interpolant) const;
+    rest_of_interpolant(const Function<dim> &function,
+                        const Field::Block   field) const;
 
     /** Adds the correction of a rod: it is zero at vertices. */
     void

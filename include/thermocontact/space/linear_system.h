@@ -93,6 +93,17 @@ namespace ThermoContact
                  const Rows                             rows     = Rows::all,
                  Preconditioner *preconditioner                  = nullptr);
 
+    /** The same of equations that it takes over, such as tangents. */
+    LinearSystem(std::unique_ptr<const ThermoviscoelasticOperator<dim>> own,
+                 const SystemCoefficients &coefficients,
+                 const Rows                rows = Rows::all);
+
+    const ThermoviscoelasticOperator<dim> &
+    of_equations() const
+    {
+      return equations;
+    }
+
     /**
      * Solves for the fields of the system; vectors of the other field are not
      * used.
@@ -131,7 +142,8 @@ namespace ThermoContact
 
     /**
      * Adds springs to the rows of the contact nodes in a system of the
-     * displacement, or of both fields, that has no factors.
+     * displacement, or of both fields, that has no factors; with factors there
+     * are none.
      *
      * @param new_springs stiffness; infinite: the node is held; empty: there
      *   are none
@@ -215,6 +227,13 @@ namespace ThermoContact
       return n_iterations_;
     }
 
+    /** Number of solves for heat by which the inverse was made. */
+    unsigned int
+    n_responses() const
+    {
+      return heat ? inverse.m() : 0;
+    }
+
     /** Number of matrices that were factorised. */
     unsigned int
     n_factorizations() const
@@ -240,12 +259,13 @@ namespace ThermoContact
     vmult(Vector &y, const Vector &x) const;
 
   private:
-    const ThermoviscoelasticOperator<dim> &equations;
-    const SystemCoefficients               coefficients;
-    const Rows                             rows;
-    const double                           scale; ///< $\tau$ of a stage
-    std::optional<Vector>                  diagonal;
-    double                                 refused_growth_ = 0.;
+    std::unique_ptr<const ThermoviscoelasticOperator<dim>> own; ///< or null
+    const ThermoviscoelasticOperator<dim>                 &equations;
+    const SystemCoefficients                               coefficients;
+    const Rows                                             rows;
+    const double          scale; ///< $\tau$ of a stage
+    std::optional<Vector> diagonal;
+    double                refused_growth_ = 0.;
 
     /** The block of heat at once, whose unknowns are eliminated. */
     struct Elimination

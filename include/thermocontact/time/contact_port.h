@@ -34,7 +34,7 @@ namespace ThermoContact
      * @param y in: where iterations find first tangents; out; zero where it is
      *   not solved for
      * @param pressure in: a guess; out: the solution
-     * @return number of linear systems for tangents
+     * @return number of linear systems for tangents; 0 with factors
      * @throw ComputationError if the pressures are not found
      */
     unsigned int
@@ -61,6 +61,13 @@ namespace ThermoContact
                 const std::vector<NodeLaw>      &laws,
                 const std::vector<unsigned int> &closing,
                 Vector                          &y);
+
+    /** Makes the response if there is one. @return number of solves for it */
+    unsigned int
+    provide_response()
+    {
+      return system->has_factors() ? response().m() : 0;
+    }
 
     /** Loss of y of the nodes per unit pressure; of systems with factors. */
     const FullMatrix<double> &

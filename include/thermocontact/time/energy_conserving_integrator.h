@@ -5,8 +5,8 @@
 
 #include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/time/driven_step.h>
+#include <thermocontact/time/equilibrium.h>
 #include <thermocontact/time/monolithic_solver.h>
-#include <thermocontact/time/node_equilibrium.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -60,9 +60,8 @@ namespace ThermoContact
     FullMatrix<double> all_receptance; ///< $X$ of (C6.3)
     FullMatrix<double> receptance;     ///< its square part
 
-    /** At fixed entropy. */
-    std::unique_ptr<NodeEquilibrium<dim>> nodes;
-    std::unique_ptr<ConservingContact>    contact;
+    Equilibrium<dim>                   nodes; ///< at fixed entropy
+    std::unique_ptr<ConservingContact> contact;
 
     std::vector<NodeLaw> laws;  ///< of the contact nodes in the step
     std::vector<double>  start; ///< their positions at the beginning

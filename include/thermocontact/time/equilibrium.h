@@ -5,6 +5,7 @@
 
 #include <thermocontact/contact/interface_law.h>
 #include <thermocontact/space/body.h>
+#include <thermocontact/space/linear_system.h>
 #include <thermocontact/time/contact_port.h>
 #include <thermocontact/time/stage_solver.h>
 
@@ -14,58 +15,41 @@
 namespace ThermoContact
 {
   /**
-   * The effect of forces on a body at one instant: $Ky+Np=r$ for all rows of
-   * the displacement, with pressures of contact nodes that their laws give at
-   * $x+c y_n$. With $K=bM_u$ y is an acceleration, or a change of the velocity
-   * and p an impulse; with $K=(\zeta+1)S$ of a body without inertia it is a
-   * displacement or, times velocity_factor(), a velocity. Factors and responses
-   * are made when they are needed first, and kept.
+   * The effect of forces on a body at one instant: $Ky+Np=r$, with pressures of
+   * contact nodes that their laws give at $x+c y_n$. With $K=bM_u$ y is an
+   * acceleration, or a change of the velocity and p an impulse; with
+   * $K=(\zeta+1)S$ of a body without inertia it is a displacement or, times
+   * velocity_factor(), a velocity. The rows are all, or those of the contact
+   * end, all other nodes being given. Factors and responses are made when they
+   * are needed first, and kept. All of it is collective.
    */
   template <int dim>
   class Equilibrium
   {
   public:
-    enum class Matrix
-    {
-      inertia,   ///< $bM_u$; laws are rigid and hold their nodes
-      stiffness, ///< of a body without inertia $(\zeta+1)S$, of a viscous
-                 ///< rod, whose parts may differ, $\zeta S_\zeta$
-      at_once ///< $S+a^2D^TM^{-1}D$ of a static body, which takes heat, (C4.4)
-    };
+    using Rows = typename LinearSystem<dim>::Rows;
 
     /**
      * @param body borrowed
+     * @param coefficients K; with a heat block the body takes heat for the
+     *   motion, (C4.4), if the motion heats it
      * @param counters of factors and solves; borrowed
      */
-    Equilibrium(const Body<dim> &body,
-                const Matrix     matrix,
-                SolverCounters  &counters);
+    Equilibrium(const Body<dim>          &body,
+                const SystemCoefficients &coefficients,
+                SolverCounters           &counters,
+                const Rows                rows = Rows::all);
 
-    /** Makes the parts that are kept and are not there yet. Collective. */
+    /** Makes the parts that are kept and are not there yet. */
     void
     provide();
 
     /**
-     * Where coefficients depend on the temperature: drops the parts that are
-     * kept, and makes the next ones with the coefficients of this state.
+     * Where coefficients depend on the temperature: makes the parts that are
+     * kept anew with the coefficients of this state.
      */
     void
     linearize(const State &state);
-
-    /** Those of the body, or at the last state of linearize(). */
-    const ThermoviscoelasticOperator<dim> &
-    equations() const
-    {
-      return own_equations ? *own_equations : body.equations;
-    }
-
-    /** Of a viscous body: its velocity over the solution y of the stiffness. */
-    double
-    velocity_factor() const
-    {
-      const double viscosity = body.scene.material.viscosity;
-      return dim == 1 ? 1. : (viscosity + 1.) / viscosity;
-    }
 
     bool
     is_provided() const
@@ -74,38 +58,80 @@ namespace ThermoContact
     }
 
     /**
-     * @param forces $r$, constrained rows are zero; null: there are none
+     * @param forces $r$, zero in rows that are constrained or not solved for
      * @param laws,position of the contact nodes, $x$; empty: no contact
      * @param factor $c$
-     * @param y out; constrained entries are zero
+     * @param y out; zero in such rows
      * @param pressure in: a guess; out: the solution
      * @throw ComputationError if K cannot be factorised or the pressures are
      *   not found
      */
     void
-    solve(const Vector               *forces,
+    solve(const Vector               &forces,
           const std::vector<NodeLaw> &laws,
           const std::vector<double>  &position,
           const double                factor,
           Vector                     &y,
           std::vector<double>        &pressure);
 
+    /** ContactPort::solve_rates() of the last problem. */
+    void
+    solve_rates(const Vector                    &forces,
+                const std::vector<double>       &rate,
+                const std::vector<NodeLaw>      &laws,
+                const std::vector<unsigned int> &closing,
+                Vector                          &y);
+
+    /**
+     * Adds $-aM^{-1}D\,\delta u$, the temperature of a body that is deformed at
+     * once, (C4.4); nothing where K takes no heat.
+     */
+    void
+    add_heating(const Vector &change, Vector &temperature);
+
+    /**
+     * $X=K^{-1}\mathrm{diag}(w)$ of (C6.3), displacements of all nodes of the
+     * end per unit pressure at those that have pressures, which come first; of
+     * bodies that have matrices.
+     */
+    FullMatrix<double>
+    receptance();
+
   private:
-    const Body<dim> &body;
-    const Matrix     matrix;
-
-    const SystemCoefficients &
-    coefficients() const;
-
+    const Body<dim>                &body;
+    const SystemCoefficients        coefficients;
+    const Rows                      rows;
     SolverCounters                 &counters;
     std::unique_ptr<Preconditioner> preconditioner; ///< or null
 
-    /** Equations in the place of the body's; null: the body's are used. */
-    std::unique_ptr<const ThermoviscoelasticOperator<dim>> own_equations;
-
     std::unique_ptr<LinearSystem<dim>> system;
     std::unique_ptr<ContactPort<dim>>  port;
+
+    void
+    keep(std::unique_ptr<LinearSystem<dim>> made);
   };
+
+
+
+  /** K of a body without inertia: $(\zeta+1)S$, of a viscous rod, whose parts
+   * may differ, $\zeta S_\zeta$. */
+  template <int dim>
+  const SystemCoefficients &
+  motion_without_inertia(const Body<dim> &body)
+  {
+    return dim == 1 && body.scene.material.has_viscosity() ?
+             motion_by_viscosity :
+             motion_by_stiffness;
+  }
+
+  /** Of a viscous body: its velocity over the solution y with that K. */
+  template <int dim>
+  double
+  velocity_factor(const Body<dim> &body)
+  {
+    const double viscosity = body.scene.material.viscosity;
+    return dim == 1 ? 1. : (viscosity + 1.) / viscosity;
+  }
 } // namespace ThermoContact
 
 #endif

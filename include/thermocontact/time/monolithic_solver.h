@@ -49,12 +49,12 @@ namespace ThermoContact
           StageRates   &rates) override;
 
     /**
-     * Solves by these equations from now on instead of those of the body, such
-     * as tangents at an instant. Earlier factors are dropped.
+     * Stages of length @p tau are solved by these tangents from now on instead
+     * of the equations of the body. Earlier factors are dropped.
      */
     void
-    set_equations(
-      std::unique_ptr<const ThermoviscoelasticOperator<dim>> tangents);
+    factorize(const double                                           tau,
+              std::unique_ptr<const ThermoviscoelasticOperator<dim>> tangents);
 
     void
     keep_contact(const std::vector<bool>   &is_closed,
@@ -97,15 +97,6 @@ namespace ThermoContact
 
   private:
     const Body<dim> &body;
-
-    /** Equations in the place of the body's; null: the body's are used. */
-    std::unique_ptr<const ThermoviscoelasticOperator<dim>> own_equations;
-
-    const ThermoviscoelasticOperator<dim> &
-    equations() const
-    {
-      return own_equations ? *own_equations : body.equations;
-    }
 
     const HeatExchange &exchange;
     InterfaceProblem    problem;
@@ -154,6 +145,9 @@ namespace ThermoContact
     /** Puts the factorisation for @p tau in front. */
     void
     provide_factorization(const double tau);
+
+    void
+    keep(const double tau, LinearSystem<dim> &&system);
 
     /** All that the scene needs. */
     void

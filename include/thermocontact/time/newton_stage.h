@@ -67,8 +67,8 @@ namespace ThermoContact
             const StageRates      &stage);
 
     /**
-     * Loads for the tangents at the end that was set, which are made the
-     * equations of the solver.
+     * Loads for the tangents at the end that was set, by which the solver
+     * solves.
      */
     void
     linearize(const double tau, const StageRates &stage);
