@@ -152,7 +152,13 @@ START = [
       "brackets, which steps do not resolve, a b (0.0001): peaks, durations, velocities and "
       "impulses there are of the steps; remedy: more Mesh/Cells, or a smaller Time/Step size "
       "of masses alone"]),
-    (ROW + ("Bodies/a/Kind=mass", "Bodies/a/Mass=1", "Bodies/b/Length=1"), []),
+    # ten steps resolve it
+    (ROW + ("Bodies/a/Kind=mass", "Bodies/a/Mass=0.19", "Bodies/b/Length=1"),
+     ["Time/Step size = 0.02: forces of contacts with a mass take about the time in "
+      "brackets, which steps do not resolve, a b (0.19): peaks, durations, velocities and "
+      "impulses there are of the steps; remedy: more Mesh/Cells, or a smaller Time/Step size "
+      "of masses alone"]),
+    (ROW + ("Bodies/a/Kind=mass", "Bodies/a/Mass=0.21", "Bodies/b/Length=1"), []),
     (ROW + ("Contact/Condition=normal compliance", "Bodies/a/Length=1",
             "Bodies/b/Length=1", "Contacts/a b/Gap=-0.02"),
      ["Contacts: a-b press on each other at the start with 2"]),
