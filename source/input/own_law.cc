@@ -70,7 +70,8 @@ namespace ThermoContact
       entry
         .unbound(name_of_entry(one.name),
                  word,
-                 NumberOrText::word(word),
+                 NumberOrText::word_or_number(
+                   word, dealii::Patterns::Double(one.smallest, one.largest)),
                  [this, name = one.name](const std::string &given) {
                    numbers[name].reset();
                    if (given != word)

@@ -45,9 +45,10 @@ namespace ThermoContact
 
 
   NumberOrText
-  NumberOrText::word_or_number(const std::string &word)
+  NumberOrText::word_or_number(const std::string              &word,
+                               const dealii::Patterns::Double &numbers)
   {
-    return {word, "", Double()};
+    return {word, "", numbers};
   }
 
 

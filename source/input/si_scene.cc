@@ -290,6 +290,22 @@ namespace ThermoContact
                            compliance +
                            " is given, too\n  remedy:  one of them");
       }
+    for (const Assignment &assignment : assignments)
+      {
+        const std::string &path      = assignment.path;
+        const std::string  stiffness = path_in_same_law(path, "Stiffness");
+        if (law.uses("Exponent") && path != "Contact/Exponent" &&
+            path == path_in_same_law(path, "Exponent") &&
+            has_law_at(stiffness) && parse_number(*given(path)) &&
+            law_exponent(path) != law_exponent("Contact/Exponent") &&
+            given(stiffness).value_or("none") == "none" &&
+            !parse_number(
+              given(path_in_same_law(path, "Compliance")).value_or("")))
+          refuse(assignment,
+                 "the number of section Contact goes with another exponent",
+                 "that exponent",
+                 stiffness + " = a number");
+      }
     for (const ContactLawEntry &entry : law.entries)
       if (has_displacement && entry.is_positive &&
           !given("Contact/" + entry.name))
@@ -422,7 +438,7 @@ namespace ThermoContact
         exponent != 1. && split && !split->unit.empty())
       refuse(assignment,
              "a unit with a power of the exponent",
-             "a number in N/m^m or m/Pa^(1/m), m Contact/Exponent",
+             "a number in N/m^m or m/Pa^(1/m), m the Exponent of the law",
              "the number without the unit");
     Conversion conversion;
     if (!begins_with(assignment.path, "Rod/"))
@@ -497,6 +513,18 @@ namespace ThermoContact
           std::find(paths.begin(), paths.end(), assignment.path) == paths.end())
         paths.push_back(assignment.path);
     return paths;
+  }
+
+
+
+  bool
+  SiScene::has_law_at(const std::string &path) const
+  {
+    const std::string condition = path_in_same_law(path, "Condition");
+    return begins_with(path, "Contacts/") ?
+             given(condition) != "bonded" :
+             path == path_in_same_law("Contact/Gap", "Stiffness") ||
+               given("Contact/Rear gap").value_or("none") != "none";
   }
 
 
@@ -581,10 +609,11 @@ namespace ThermoContact
       set("Initial values/Temperature", "0");
     if (has_displacement && law.uses("Compliance"))
       for (const std::string &stiffness : given_stiffnesses())
-        set_number(path_in_same_law(stiffness, "Compliance"),
-                   std::pow(*scales.stress * *scales.area / number(stiffness),
-                            1. / law_exponent(stiffness)) /
-                     *scales.length);
+        if (has_law_at(stiffness))
+          set_number(path_in_same_law(stiffness, "Compliance"),
+                     std::pow(*scales.stress * *scales.area / number(stiffness),
+                              1. / law_exponent(stiffness)) /
+                       *scales.length);
     const double end_time = number("Time/End time");
     if (!given("Output/Fields interval"))
       set_number("Output/Fields interval", round_to_digits(end_time / 20., 6));

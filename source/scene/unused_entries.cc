@@ -138,6 +138,30 @@ namespace ThermoContact
               unused.add_if(!has_field, {section + name}, fields);
             }
         }
+      const auto has_own = [&](const std::string &name) {
+        return std::all_of(scene.row.contacts.begin(),
+                           scene.row.contacts.end(),
+                           [&](const RowContact &contact) {
+                             return std::any_of(
+                               row.pairs.begin(),
+                               row.pairs.end(),
+                               [&](const PairParameters &pair) {
+                                 const auto own =
+                                   pair.own_law.numbers.find(name);
+                                 return pair.name == contact.name &&
+                                        own != pair.own_law.numbers.end() &&
+                                        own->second;
+                               });
+                           });
+      };
+      for (const ContactLawEntry &entry : contact_law_entries())
+        {
+          const std::string path = "Contact/" + entry.name;
+          unused.add_if(!scene.row.contacts.empty() &&
+                          !scene.row.meets_obstacle && has_own(entry.name),
+                        {path},
+                        "each of Contacts = a number of its own");
+        }
       for (const BodyParameters &body : row.bodies)
         {
           const std::string section = "Bodies/" + body.name + "/";

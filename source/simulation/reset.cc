@@ -675,6 +675,10 @@ namespace ThermoContact
                       change,
                       impulses);
         state.velocity += change;
+        if (body.boundary_flows.is_active())
+          result.boundaries.add(1.,
+                                body.boundary_flows.impact(change,
+                                                           state.velocity));
         for (unsigned int i = 0; i < impulses.size(); ++i)
           work -= end.share(i) * impulses[i] * laws[i].local_rate();
         result.add_impulse(1., impulses, body);

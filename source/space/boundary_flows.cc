@@ -244,6 +244,24 @@ namespace ThermoContact
 
   template <int dim>
   BoundarySums
+  BoundaryFlows<dim>::impact(const Vector &change, const Vector &velocity)
+  {
+    BoundarySums own;
+    equations.momentum_mass.vmult(momentum_residual, change);
+    momentum_residual *= scene.material.inertia;
+    for (const End &end : ends)
+      {
+        const auto &held = end.given[Field::displacement];
+        own.*end.impulse = sum_at(held, momentum_residual);
+        own.*end.work    = product_at(held, momentum_residual, velocity);
+      }
+    return sum_of_all(own);
+  }
+
+
+
+  template <int dim>
+  BoundarySums
   BoundaryFlows<dim>::sum_of_all(const BoundarySums &own) const
   {
     std::vector<double> values;

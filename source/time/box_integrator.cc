@@ -136,7 +136,7 @@ namespace ThermoContact
                  kind,
                  kind == ContactEvent::begin ?
                    velocity :
-                   -*body.scene.parameters.contact.restitution * velocity,
+                   0. - *body.scene.parameters.contact.restitution * velocity,
                  1,
                  c});
       }

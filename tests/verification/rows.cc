@@ -502,16 +502,10 @@ namespace
                                  "Contact/Exponent=1.5",
                                  "Contact/Damping=0.3",
                                  "Contact/Dashpot=0.2"};
-    Overrides       own       = {"Contact/Compliance=0.02",
-                                 "Contact/Exponent=1.5",
-                                 "Contact/Damping=0.3",
-                                 "Contact/Dashpot=0.2"};
+    Overrides       own;
     for (const std::string pair : {"a b", "b c"})
       for (const std::string &one : all)
         own.push_back("Contacts/" + pair + one.substr(one.find('/')));
-    for (unsigned int i = 0; i < all.size(); ++i)
-      own[i] = own[i].substr(0, own[i].find('=') + 1) +
-               std::vector<std::string>{"0.5", "1", "0", "0"}[i];
     const Overrides   apart = {"Boundary/right/Support=free"};
     const RecordedRun one =
       run<1>("", three_masses(scheme) + condition + apart + all);

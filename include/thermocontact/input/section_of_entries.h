@@ -23,9 +23,11 @@ namespace ThermoContact
     static NumberOrText
     word(const std::string &word);
 
-    /** @p word, or any number. */
+    /** @p word, or any of these numbers. */
     static NumberOrText
-    word_or_number(const std::string &word);
+    word_or_number(
+      const std::string              &word,
+      const dealii::Patterns::Double &numbers = dealii::Patterns::Double());
 
     /** @p word, or a whole number from @p smallest to @p largest. */
     static NumberOrText

@@ -122,6 +122,10 @@ namespace ThermoContact
     std::vector<std::string>
     given_stiffnesses() const;
 
+    /** True if the scene has the obstacle, or the contact, of this entry. */
+    bool
+    has_law_at(const std::string &path) const;
+
     /** Exponent m of the contact law that the entry at @p path is of. */
     double
     law_exponent(const std::string &path) const;

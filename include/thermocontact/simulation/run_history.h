@@ -44,7 +44,8 @@ namespace ThermoContact
     double max_penetration   = nan;
     double max_contact_force = max_penetration;
 
-    /** The same of a contact between step ends, as far as these tell. */
+    /** The largest penetration and force of a contact, between step ends, too.
+     */
     struct Peaks
     {
       SampledPeak penetration, force;

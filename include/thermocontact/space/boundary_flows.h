@@ -19,6 +19,8 @@ namespace ThermoContact
    */
   struct BoundarySums
   {
+    using S = BoundarySums;
+
     double heat_left     = 0.; ///< through the end $x=0$
     double heat_right    = 0.; ///< through the contact end
     double heat_sides    = 0.; ///< through the lateral faces
@@ -32,7 +34,6 @@ namespace ThermoContact
     static void
     for_each_column(const Column &column)
     {
-      using S = BoundarySums;
       column("heat_left", &S::heat_left);
       column("heat_right", &S::heat_right);
       column("heat_sides", &S::heat_sides);
@@ -58,18 +59,16 @@ namespace ThermoContact
         archive &(this->*member);
       });
     }
-
-  private:
-    using S = BoundarySums;
   };
 
 
 
   /**
-   * What goes through the parts of the boundary of a body, with the equations
-   * of a stage: where a temperature or a displacement is given it is what the
-   * row of that unknown lacks. Integrated with the weights of the stages it
-   * closes the balances of heat and momentum to rounding, (D4.9).
+   * Heat, momentum and work through the parts of the boundary of a body, by the
+   * equations of a stage: where a temperature or a displacement is given they
+   * are the residual of its row. Integrated with the weights of the stages they
+   * close the balances of heat and momentum to rounding, (D4.9); with
+   * coefficients of the temperature to the order of the scheme.
    */
   template <int dim>
   class BoundaryFlows
@@ -115,6 +114,16 @@ namespace ThermoContact
     jump(const Vector &old_temperature,
          const Vector &old_displacement,
          const State  &state);
+
+    /**
+     * Impulse and work of the supports when velocities change at once, as at an
+     * impact: rows of held nodes take what inertia asks for. Collective.
+     *
+     * @param change of the velocity
+     * @param velocity of the ends that are held
+     */
+    BoundarySums
+    impact(const Vector &change, const Vector &velocity);
 
   private:
     /** An end of the body. */
