@@ -107,7 +107,7 @@ namespace ThermoContact
      * a fixed end, and the work of tractions, springs and the motion of a body
      * without inertia. Collective.
      *
-     * @param old temperature and displacement before it
+     * @param old_temperature,old_displacement before it
      * @param state after it
      */
     BoundarySums
