@@ -136,7 +136,9 @@ namespace ThermoContact
   }
 
 
-  // of the entries of this process
+
+  // Sums over the entries of this process alone, of vectors without ghosts;
+  // entries are positions in its part.
 
   inline double
   local_sum(const Vector &x)

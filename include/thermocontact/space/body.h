@@ -59,7 +59,8 @@ namespace ThermoContact
     /** Null where no coefficient depends on the temperature. */
     const std::unique_ptr<const NonlinearRod> nonlinear;
 
-    /** The contact law, which every node has. */
+    /** The law of the obstacle in front; contacts of a row may have their own
+     * numbers, SceneContact::law_at(). */
     const ContactLaw &
     law() const
     {
