@@ -39,17 +39,20 @@ namespace ThermoContact
 
 
 
-  ContactValues
-  ContactValues::of_node(const unsigned int node) const
+  void
+  ContactValues::get_node(const unsigned int node, ContactValues &of_node) const
   {
-    const auto of = [node](const std::vector<double> &values) {
-      return std::vector<double>{values[node]};
+    const auto take = [node](const std::vector<double> &from,
+                             std::vector<double>       &to) {
+      to.assign(1, from[node]);
     };
-    return {time,
-            of(displacement),
-            {of(front.penetration), of(front.velocity)},
-            {of(rear.penetration), of(rear.velocity)},
-            of(pressure)};
+    of_node.time = time;
+    take(displacement, of_node.displacement);
+    take(front.penetration, of_node.front.penetration);
+    take(front.velocity, of_node.front.velocity);
+    take(rear.penetration, of_node.rear.penetration);
+    take(rear.velocity, of_node.rear.velocity);
+    take(pressure, of_node.pressure);
   }
 
 

@@ -173,8 +173,10 @@ namespace ThermoContact
     if (time.has_error_control())
       {
         cost.is_driven = scene.sources.any();
-        // a node with mass that bounces, on any law
-        cost.is_least = scene.material.has_inertia() &&
+        // a node with mass that bounces, on any law; masses alone have no mesh
+        const bool has_mesh =
+          !scene.row.is_given() || scene.row.middle().has_value();
+        cost.is_least = has_mesh && scene.material.has_inertia() &&
                         scene.contact.law->is_active() &&
                         !scene.contact.has_massless_nodes &&
                         scene.contact.any([&](const ContactLaw &law) {

@@ -261,7 +261,11 @@ namespace ThermoContact
           "\n  remedy:  give it: a scene in SI units has no default of it");
       else if (is_positive && !(number(path) > 0.))
         faults.push_back(path + " = " + *given(path) +
-                         "\n  allowed: a positive number");
+                         "\n  allowed: a positive number" +
+                         (entry.kind == "stiffness" ?
+                                          "\n  remedy:  Contact/Condition = none, if nothing "
+                                          "is to be met" :
+                                          ""));
     };
     need(true, "Rod/Length", true);
     need(true, "Rod/Cross-section area", true);

@@ -70,7 +70,7 @@ namespace ThermoContact
     std::vector<ContactEvent> all;
     for (unsigned int i = 0; i < locators.size(); ++i)
       {
-        locators[i].start(next.of_node(i), events);
+        locators[i].start(of_contact(next, i), events);
         for (ContactEvent &event : events)
           {
             event.contact = i;
@@ -110,22 +110,22 @@ namespace ThermoContact
                                      const BodyScales &scales) const
   {
     using Finding = EventLocator::Finding;
-    Finding first, at_end;
+    Finding first, changes; // the kind of the latter stays nothing
     for (unsigned int i = 0; i < locators.size(); ++i)
       {
         if (locators[i].mode() == ContactMode::unilateral)
           continue;
         const Finding finding =
-          locators[i].examine(next.of_node(i), is_aimed, scales);
+          locators[i].examine(of_contact(next, i), is_aimed, scales);
         if (finding.kind == Finding::within &&
             (first.kind == Finding::nothing || finding.time < first.time))
           first = finding;
         if (finding.kind == Finding::nothing)
           continue;
-        at_end.of_contacts.resize(locators.size(), Finding::nothing);
-        at_end.of_contacts[i] = finding.kind;
+        changes.of_contacts.resize(locators.size(), Finding::nothing);
+        changes.of_contacts[i] = finding.kind;
       }
-    return first.kind == Finding::within ? first : at_end;
+    return first.kind == Finding::within ? first : changes;
   }
 
 
@@ -220,14 +220,14 @@ namespace ThermoContact
           of_this.kind = finding.of_contacts[i];
         if (of_this.kind == Finding::at_start) // the law has seen it
           locators[i].finish_by_law();
-        std::vector<ContactEvent> of_contact;
-        locators[i].accept(next.of_node(i),
+        std::vector<ContactEvent> own_events;
+        locators[i].accept(of_contact(next, i),
                            of_this,
-                           of_contact,
+                           own_events,
                            i < result.contact_changes.size() ?
                              result.contact_changes[i] :
                              std::nullopt);
-        for (ContactEvent &event : of_contact)
+        for (ContactEvent &event : own_events)
           {
             event.contact = i;
             event.time =
@@ -339,7 +339,7 @@ namespace ThermoContact
     get_contact_values(body, state, next);
     if (is_of_several())
       for (unsigned int i = 0; i < locators.size(); ++i)
-        locators[i].set_present(next.of_node(i));
+        locators[i].set_present(of_contact(next, i));
     else
       locator.set_present(next);
     if (is_held && towards <= continuous && away > continuous)
@@ -360,7 +360,7 @@ namespace ThermoContact
     std::vector<bool> is_closed;
     if (is_of_several())
       for (unsigned int i = 0; i < locators.size(); ++i)
-        is_closed.push_back(locators[i].closed_nodes(values.of_node(i))[0]);
+        is_closed.push_back(locators[i].closed_nodes(of_contact(values, i))[0]);
     else
       is_closed = locators[0].closed_nodes(values);
     for (unsigned int i = 0; i < result.closed_nodes.size(); ++i)

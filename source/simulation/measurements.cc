@@ -50,12 +50,6 @@ namespace ThermoContact
     body.discretization.set_zero_in_gaps(Field::temperature, ones);
     body.equations.heat_mass.vmult(mean_weights, ones);
     mean_weights /= ones * mean_weights;
-    if (!body.scene.heat.has_lateral_exchange())
-      return;
-    lateral_weights.reinit(mean_weights);
-    body.equations.lateral_exchange.vmult(lateral_weights, ones);
-    lateral_weights /= body.discretization.geometry().cross_section();
-    lateral_sum = ones * lateral_weights;
   }
 
 
@@ -272,14 +266,11 @@ namespace ThermoContact
                                                  state.exchange_coefficient[i],
                                                  contact_values[i],
                                                  state.load_time);
-    record.heat_flux_end    = body.scene.heat.right_temperature ?
-                                nan : // from the state alone it is not known
+    record.heat_flux_end     = body.scene.heat.right_temperature ?
+                                 nan : // from the state alone it is not known
                              body.contact_end().mean(contact_values);
-    record.temperature_mean = mean_weights * state.temperature;
-    if (body.scene.heat.has_lateral_exchange())
-      record.lateral_heat_flux =
-        lateral_weights * state.temperature -
-        lateral_sum * body.scene.heat.ambient_temperature;
+    record.temperature_mean  = mean_weights * state.temperature;
+    record.lateral_heat_flux = body.boundary_flows.lateral_heat_flux(state);
   }
 
 

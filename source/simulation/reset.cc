@@ -622,11 +622,11 @@ namespace ThermoContact
         set_temperature_of_fixed_end(heat.fixed_end_drive->value(at->new_time),
                                      state) :
         0.;
-    if (starts || jumps)
-      book_boundaries(old_temperature, state.displacement, result);
-    if (starts || jumps)
-      move_at_once(is_closed, work, result);
-    return starts || jumps;
+    if (!starts && !jumps)
+      return false;
+    book_boundaries(old_temperature, state.displacement, result);
+    move_at_once(is_closed, work, result);
+    return true;
   }
 
 

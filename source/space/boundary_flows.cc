@@ -21,6 +21,16 @@ namespace ThermoContact
     , surroundings(surroundings)
     , loads(loads)
   {
+    if (scene.fields.has_temperature && scene.heat.has_lateral_exchange())
+      {
+        Vector ones = discretization.make_vector(Field::temperature);
+        ones        = 1.;
+        discretization.set_zero_in_gaps(Field::temperature, ones);
+        sides.reinit(ones);
+        equations.lateral_exchange.vmult(sides, ones);
+        sides /= discretization.geometry().cross_section();
+        sum_of_sides = ones * sides;
+      }
     if (!is_active())
       return;
     for (const types::boundary_id part :
@@ -31,14 +41,6 @@ namespace ThermoContact
     heat_product      = heat_of_end;
     momentum_of_end   = discretization.make_vector(Field::displacement);
     momentum_residual = momentum_of_end;
-    if (!scene.fields.has_temperature || !scene.heat.has_lateral_exchange())
-      return;
-    Vector ones(heat_of_end);
-    ones = 1.;
-    discretization.set_zero_in_gaps(Field::temperature, ones);
-    sides = heat_of_end;
-    equations.lateral_exchange.vmult(sides, ones);
-    outside_sides = scene.heat.ambient_temperature * local_product(sides, ones);
   }
 
 
@@ -94,22 +96,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  BoundaryFlows<dim>::set_heat_residual(const State  &state,
-                                        const Vector &temperature_rate,
-                                        const Vector &heat_load)
+  double
+  BoundaryFlows<dim>::lateral_heat_flux(const State &state) const
   {
-    equations.heat_mass.vmult(heat_residual, temperature_rate);
-    equations.conduction.add(1.,
-                             state.temperature,
-                             heat_residual,
-                             heat_product);
-    if (scene.material.has_heating())
-      equations.divergence.add(scene.material.heating,
-                               state.velocity,
-                               heat_residual,
-                               heat_product);
-    heat_residual -= heat_load;
+    return sides.size() == 0 ? 0. :
+                               sides * state.temperature -
+                                 sum_of_sides * scene.heat.ambient_temperature;
   }
 
 
@@ -148,7 +140,10 @@ namespace ThermoContact
     const bool   has_inertia = scene.material.has_inertia();
     BoundarySums own;
     if (has_heat)
-      set_heat_residual(state, temperature_rate, heat_load);
+      equations.heat_residual(state,
+                              temperature_rate,
+                              heat_load,
+                              heat_residual);
     if (has_motion)
       equations.momentum_residual(state,
                                   &state.velocity,
@@ -188,9 +183,8 @@ namespace ThermoContact
             own.*end.work += local_product(momentum_of_end, state.velocity);
           }
       }
-    if (has_heat && scene.heat.has_lateral_exchange())
-      own.heat_sides = outside_sides - local_product(sides, state.temperature);
     BoundarySums sums = sum_of_all(own);
+    sums.heat_sides   = 0. - lateral_heat_flux(state);
     if (has_heat)
       sums.heat_right += heat_by_law(state);
     return sums;
@@ -264,15 +258,11 @@ namespace ThermoContact
   BoundarySums
   BoundaryFlows<dim>::sum_of_all(const BoundarySums &own) const
   {
-    std::vector<double> values;
-    BoundarySums::for_each_column(
-      [&](const char *, const auto member) { values.push_back(own.*member); });
-    std::vector<double> all(values.size());
-    Utilities::MPI::sum(values, discretization.communicator(), all);
     BoundarySums sums;
-    unsigned int i = 0;
     BoundarySums::for_each_column([&](const char *, const auto member) {
-      sums.*member = all[i++] / discretization.geometry().cross_section();
+      sums.*member =
+        Utilities::MPI::sum(own.*member, discretization.communicator()) /
+        discretization.geometry().cross_section();
     });
     return sums;
   }

@@ -231,6 +231,24 @@ namespace ThermoContact
 
   template <int dim>
   void
+  ThermoviscoelasticOperator<dim>::heat_residual(const State  &state,
+                                                 const Vector &temperature_rate,
+                                                 const Vector &heat_load,
+                                                 Vector       &residual) const
+  {
+    set_sum({{{1., &heat_mass, &temperature_rate},
+              {1., &conduction, &state.temperature},
+              {material.heating, &divergence, &state.velocity}}},
+            -1.,
+            &heat_load,
+            Field::temperature,
+            residual);
+  }
+
+
+
+  template <int dim>
+  void
   ThermoviscoelasticOperator<dim>::add_heating(const Vector &velocity,
                                                const double  factor,
                                                Vector       &heat) const

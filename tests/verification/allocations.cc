@@ -9,7 +9,8 @@
 //
 // Counted by hand: the paper's experiment 1 with 250 linear cells and 1000
 // fixed steps; the default scene with steps of tolerance 1e-6, T = 10; a rigid
-// obstacle; elastic impact with the scheme without dispersion.
+// obstacle; two rods with two contacts; elastic impact with the scheme without
+// dispersion.
 // At least half of all steps count; none of them allocates.
 
 #include <thermocontact/simulation/simulation.h>
@@ -136,6 +137,16 @@ main_allocations()
   check("end traction",
         "",
         {"Boundary/right/Traction=0.1*t",
+         "Time/Tolerance=1e-6",
+         "Time/End time=3"});
+  check("row",
+        "",
+        {"Model/Fields=displacement",
+         "Bodies/a/Length=0.5",
+         "Bodies/a/Velocity=x",
+         "Bodies/b/Length=0.5",
+         "Contact/Compliance=0.1",
+         "Time/Scheme=sdirk4",
          "Time/Tolerance=1e-6",
          "Time/End time=3"});
   check("box",

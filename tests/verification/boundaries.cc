@@ -19,6 +19,9 @@
 //    same end 1/2 - 1/8 = 3/8 in all.
 // 3. An end that is driven, or pulled, does all the work where nothing else
 //    does: work_left + work_right is column work.
+// 4. The mirror image of a rod that is free at both ends, with exchange, heat
+//    fluxes, tractions, springs and dashpots, has heat and work of the other
+//    end, and its impulse with the other sign, to rounding.
 
 #include <cmath>
 
@@ -192,6 +195,68 @@ namespace
       }
     deallog << name << ": work " << within(defect / scale, 1e-10) << std::endl;
   }
+
+
+
+  void
+  check_mirror_image()
+  {
+    Overrides         scene[2]  = {{"Boundary/right/Support=free",
+                                    "Boundary/left/Support=free",
+                                    "Boundary/left/Temperature=none",
+                                    "Time/Scheme=sdirk4",
+                                    "Time/Tolerance=1e-4",
+                                    "Time/End time=2"},
+                                   {}};
+    const std::string ends[]    = {"left/", "right/"};
+    const std::string common[]  = {"Heat exchange=2",
+                                   "Surroundings=3",
+                                   "Heat flux=cos(t)",
+                                   "Traction=sin(2*t)",
+                                   "Spring=4",
+                                   "Dashpot=0.3"};
+    const std::string other[]   = {"Heat exchange=1",
+                                   "Surroundings=-1",
+                                   "Heat flux=t",
+                                   "Traction=0.2*t",
+                                   "Spring=2",
+                                   "Dashpot=0.1"};
+    scene[1]                    = scene[0];
+    const std::string initial[] = {"x", "(1-x)"};
+    RecordedRun       result[2];
+    for (unsigned int image = 0; image < 2; ++image)
+      {
+        for (const std::string &entry : common)
+          scene[image].push_back("Boundary/" + ends[image] + entry);
+        for (const std::string &entry : other)
+          scene[image].push_back("Boundary/" + ends[1 - image] + entry);
+        scene[image].push_back("Initial values/Temperature=exp(" +
+                               initial[image] + ")");
+        scene[image].push_back(
+          "Initial values/Velocity=" + std::string(image == 0 ? "" : "-") +
+          "sin(" + initial[image] + ")");
+        result[image] = run<1>("", boundaries + scene[image]);
+      }
+    double difference = 0.;
+    for (unsigned int i = 0;
+         i < std::min(result[0].rows.size(), result[1].rows.size());
+         ++i)
+      {
+        const BoundarySums &a = result[0].rows[i].boundaries,
+                           &b = result[1].rows[i].boundaries;
+        for (const double d : {a.heat_left - b.heat_right,
+                               a.heat_right - b.heat_left,
+                               a.impulse_left + b.impulse_right,
+                               a.impulse_right + b.impulse_left,
+                               a.work_left - b.work_right,
+                               a.work_right - b.work_left})
+          raise(difference, std::abs(d));
+      }
+    deallog << "mirror image: rows "
+            << (result[0].rows.size() == result[1].rows.size() ? "as many" :
+                                                                 "differ")
+            << ", " << within(difference, 1e-11) << std::endl;
+  }
 } // namespace
 
 
@@ -292,6 +357,7 @@ main_boundaries()
   check_impedance();
   check_jump_of_traction();
 
+  check_mirror_image();
   check_work<1>("driven", {"Boundary/left/Displacement=0.1*sin(5*t)"});
   check_work<1>("box, driven",
                 {"Boundary/left/Displacement=0.1*sin(5*t)",

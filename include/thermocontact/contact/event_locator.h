@@ -91,9 +91,9 @@ namespace ThermoContact
      */
     std::vector<double> pressure;
 
-    /** The values of one node. */
-    ContactValues
-    of_node(const unsigned int node) const;
+    /** The values of one node, in the memory of @p of_node. */
+    void
+    get_node(const unsigned int node, ContactValues &of_node) const;
 
     template <class Archive>
     void

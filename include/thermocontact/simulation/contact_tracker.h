@@ -153,6 +153,15 @@ namespace ThermoContact
     std::optional<StepResult>    impacted;  ///< by an impact at its start
     unsigned int                 n_retakes; ///< to the next event
     mutable ContactValues        next;      ///< scratch
+    mutable ContactValues        of_one;    ///< likewise
+
+    /** The values of a contact of a row; valid until the next call. */
+    const ContactValues &
+    of_contact(const ContactValues &values, const unsigned int contact) const
+    {
+      values.get_node(contact, of_one);
+      return of_one;
+    }
 
     bool
     is_of_several() const

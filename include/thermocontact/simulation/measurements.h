@@ -182,8 +182,6 @@ namespace ThermoContact
     std::unique_ptr<PointValues<dim>> at_right_end; ///< if it is clamped
 
     Vector               mean_weights;
-    Vector               lateral_weights;  ///< of the temperature in the loss
-    double               lateral_sum = 0.; ///< their sum
     std::vector<double>  contact_values;
     std::vector<NodeLaw> contact_laws;
     ContactValues        row_values;

@@ -88,6 +88,11 @@ namespace ThermoContact
       return scene.parameters.output.boundaries;
     }
 
+    /** Heat to the surroundings through the lateral faces, (D1.5), per unit
+     * cross-section; 0 without such an exchange. Collective. */
+    double
+    lateral_heat_flux(const State &state) const;
+
     /**
      * The rates at the end of a stage; collective.
      *
@@ -154,20 +159,13 @@ namespace ThermoContact
     Loads<dim>                            &loads;
     std::vector<End>                       ends;
     Vector heat_of_end, momentum_of_end; ///< loads of one end
-    Vector heat_residual, heat_product;
+    Vector heat_residual, heat_product;  ///< of all rows
     Vector momentum_residual;
-    Vector sides;              ///< weights of the temperature in their exchange
-    double outside_sides = 0.; ///< the heat of their surroundings
+    Vector sides; ///< weights of the temperature in the lateral exchange
+    double sum_of_sides = 0.;
 
     End
     make_end(const types::boundary_id part);
-
-    /** The residual of the heat equation in all rows: the heat that flows in
-     * where temperatures are given. */
-    void
-    set_heat_residual(const State  &state,
-                      const Vector &temperature_rate,
-                      const Vector &heat_load);
 
     /** Heat through an exchange that matrices do not contain, per unit
      * cross-section. */

@@ -149,6 +149,19 @@ namespace ThermoContact
                       const Vector &momentum_load,
                       Vector       &residual) const;
 
+    /**
+     * The residual of the heat equation (D1.1),
+     * $M\theta'+(K+kB)\theta+aDv-\ell_\theta$, in all rows: in constrained ones
+     * it is the heat that flows in.
+     *
+     * @param temperature_rate $\theta'$
+     */
+    void
+    heat_residual(const State  &state,
+                  const Vector &temperature_rate,
+                  const Vector &heat_load,
+                  Vector       &residual) const;
+
     /** @p heat $+=$ @p factor $aDv$, with zero constrained rows. */
     void
     add_heating(const Vector &velocity,
