@@ -176,12 +176,12 @@ namespace ThermoContact
         // a node with mass that bounces, on any law; masses alone have no mesh
         const bool has_mesh =
           !scene.row.is_given() || scene.row.middle().has_value();
-        cost.is_least = has_mesh && scene.material.has_inertia() &&
-                        scene.contact.law->is_active() &&
-                        !scene.contact.has_massless_nodes &&
-                        scene.contact.any([&](const ContactLaw &law) {
-                          return contact_nodes_oscillate(parameters, law);
-                        });
+        cost.is_least =
+          has_mesh && !scene.obstacle_mass && scene.material.has_inertia() &&
+          scene.contact.law->is_active() && !scene.contact.has_massless_nodes &&
+          scene.contact.any([&](const ContactLaw &law) {
+            return contact_nodes_oscillate(parameters, law);
+          });
         const double scaled =
           scaled_steps(scene) + (cost.is_driven ? scaled_steps(loads) : 0.);
         const auto free = steps_of_free_waves(scene);

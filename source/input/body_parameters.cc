@@ -53,16 +53,21 @@ namespace ThermoContact
   BodyParameters::add_parameters(ParameterHandler &prm)
   {
     const NumberOrText
-      field       = NumberOrText::expression("x"),
-      along_x     = NumberOrText::number_or_expression("x", positive),
-      coefficient = NumberOrText::number_or_expression("x, theta", positive),
-      zero_too = NumberOrText::number_or_expression("x, theta", not_negative),
-      any = NumberOrText::number_or_expression("x, theta", Double(-1e15, 1e15));
+      field   = NumberOrText::expression("x"),
+      along_x = NumberOrText::number_or_expression("x", positive),
+      in_body = NumberOrText::number_or_expression("x, y, z", positive),
+      coefficient =
+        NumberOrText::number_or_expression("x, y, z, theta", positive),
+      zero_too =
+        NumberOrText::number_or_expression("x, y, z, theta", not_negative),
+      any = NumberOrText::number_or_expression("x, y, z, theta",
+                                               Double(-1e15, 1e15));
     SectionOfEntries entry(prm,
                            bodies_section + "/" +
                              (name.empty() ? any_body : name));
     entry("Kind", kind, Selection("rod|mass"))
-      .means("A body of a row, in the order of x: a rod, or a rigid mass.");
+      .means("A body of a row, in the order of x: a rod, or a rigid mass; for "
+             "Dimension > 1 the body, or a mass that is its obstacle.");
     entry("Length", length, positive)
       .means("Length of a rod of the row.", "length");
     entry("Cells", cells, NumberOrText::word_or_count("automatic", 1, 10000000))
@@ -74,7 +79,7 @@ namespace ThermoContact
              "these coefficients begins at the left end of the rod.");
     entry("Stiffness", stiffness.value, stiffness.expression, coefficient)
       .means("Young's modulus over that one.");
-    entry("Density", density.value, density.expression, along_x)
+    entry("Density", density.value, density.expression, in_body)
       .means("Density over that one.");
     entry("Viscosity", viscosity.value, viscosity.expression, zero_too)
       .means("Viscosity zeta over that one: stress is E (u_x + zeta u_xt).");

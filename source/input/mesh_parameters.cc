@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/shares.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/section_of_entries.h>
@@ -26,6 +27,29 @@ namespace ThermoContact
         sum += sizes[i] = std::pow(factor, i);
       for (double &size : sizes)
         size = size * length / sum;
+      return sizes;
+    }
+
+
+
+    /** Nearly the same ones, of which some end at the planes. */
+    std::vector<double>
+    sizes_between(const std::vector<double> &planes,
+                  const unsigned int         n,
+                  const double               length)
+    {
+      std::vector<double> parts;
+      double              last = 0.;
+      for (const double plane : planes)
+        {
+          parts.push_back(plane - last);
+          last = plane;
+        }
+      parts.push_back(length - last);
+      std::vector<double>             sizes;
+      const std::vector<unsigned int> numbers = shares(parts, n);
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        sizes.insert(sizes.end(), numbers[i], parts[i] / numbers[i]);
       return sizes;
     }
   } // namespace
@@ -78,7 +102,8 @@ namespace ThermoContact
   std::vector<double>
   MeshParameters::cell_sizes() const
   {
-    return geometric_progression(cells, grading, 1.);
+    return planes[0].empty() ? geometric_progression(cells, grading, 1.) :
+                               sizes_between(planes[0], cells, 1.);
   }
 
 
@@ -86,7 +111,9 @@ namespace ThermoContact
   std::vector<double>
   MeshParameters::cell_sizes_across() const
   {
-    return geometric_progression(n_cells_across(), grading_across, width);
+    return planes[1].empty() ?
+             geometric_progression(n_cells_across(), grading_across, width) :
+             sizes_between(planes[1], n_cells_across(), width);
   }
 
 
@@ -112,11 +139,11 @@ namespace ThermoContact
   double
   MeshParameters::cell_aspect() const
   {
-    const auto [min, max] =
-      std::minmax({cell_sizes().front(), cell_sizes().back()});
-    const auto [min_across, max_across] =
-      std::minmax({cell_sizes_across().front(), cell_sizes_across().back()});
-    return std::max(max, max_across) / std::min(min, min_across);
+    std::vector<double>       sizes  = cell_sizes();
+    const std::vector<double> across = cell_sizes_across();
+    sizes.insert(sizes.end(), across.begin(), across.end());
+    const auto [min, max] = std::minmax_element(sizes.begin(), sizes.end());
+    return *max / *min;
   }
 
 
@@ -125,7 +152,7 @@ namespace ThermoContact
   MeshParameters::n_halvings() const
   {
     unsigned int n = 0;
-    while (grading == 1. && grading_across == 1. && cells % (2U << n) == 0 &&
+    while (has_equal_cells() && cells % (2U << n) == 0 &&
            n_cells_across() % (2U << n) == 0)
       ++n;
     return n;

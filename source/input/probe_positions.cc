@@ -70,7 +70,7 @@ namespace ThermoContact
             if (!x)
               refuse_position(*this, part, "is no position");
             // the rods of a row are looked at where their places are known
-            const double length = row.is_given() ? infinity : 1.;
+            const double length = has_row() ? infinity : 1.;
             if (!(*x >= 0. && *x <= (d == 0 ? length : mesh.width)))
               refuse_position(*this, part, "is not in the body");
             positions.back()[d] = *x;

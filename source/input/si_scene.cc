@@ -212,11 +212,12 @@ namespace ThermoContact
     , dim(parse_number(given("Dimension").value_or("1")).value_or(1.))
     , has_temperature(given("Model/Fields").value_or("") != "displacement")
     , has_displacement(given("Model/Fields").value_or("") != "temperature")
-    , has_row(std::any_of(assignments.begin(),
-                          assignments.end(),
-                          [](const Assignment &assignment) {
-                            return begins_with(assignment.path, "Bodies/");
-                          }))
+    , has_row(dim == 1. && std::any_of(assignments.begin(),
+                                       assignments.end(),
+                                       [](const Assignment &assignment) {
+                                         return begins_with(assignment.path,
+                                                            "Bodies/");
+                                       }))
     , is_confined(dim > 1 || given("Rod/Lateral sides") == "confined")
     , law(law_of(assignments))
   {

@@ -103,9 +103,9 @@ namespace ThermoContact
         total(n_points);
       std::vector<Tensor<2, dim>> gradient(n_points);
 
-      // of a row: of displacement and velocity, and its coefficients
+      // of section Bodies: of displacement and velocity, and coefficients
       std::vector<Tensor<2, dim>>  elastic(n_points), rate(n_points);
-      std::vector<RodCoefficients> equations(n_points), of_rod(n_points);
+      std::vector<RodCoefficients> equations(n_points), materials(n_points);
       const auto component = [&](unsigned int row, const unsigned int point) {
         if (row < first)
           return temperature[point];
@@ -115,20 +115,27 @@ namespace ThermoContact
                              velocity[point][row - dim];
         const unsigned int d = (row - 2 * dim) / n_rows,
                            e = (row - 2 * dim) % n_rows;
-        if (space.row().is_given())
-          return (equations[point].stiffness * elastic[point][0][0] +
+        const auto stress    = [&](const Tensor<2, dim> &of_gradient,
+                                const Tensor<1, dim> &of_value) {
+          return elastic_stress(material,
+                                space.geometry().strain(of_gradient,
+                                                        of_value,
+                                                        values.quadrature_point(
+                                                          point)),
+                                d,
+                                e);
+        };
+        if (space.has_bodies())
+          return (equations[point].stiffness *
+                    stress(elastic[point], displacement[point]) +
                   material.viscosity * equations[point].viscosity *
-                    rate[point][0][0] -
-                  (material.has_thermal_stress() ?
+                    stress(rate[point], velocity[point]) -
+                  (d == e && material.has_thermal_stress() ?
                      material.thermal_stress * equations[point].coupling *
                        temperature[point] :
                      0.)) /
-                 of_rod[point].section;
-        const Strain strain =
-          space.geometry().strain(gradient[point],
-                                  total[point],
-                                  values.quadrature_point(point));
-        return elastic_stress(material, strain, d, e) -
+                 materials[point].section;
+        return stress(gradient[point], total[point]) -
                (d == e && material.has_thermal_stress() ?
                   material.thermal_stress * temperature[point] :
                   0.);
@@ -138,8 +145,7 @@ namespace ThermoContact
       const unsigned int       n_at_once  = std::max(1., max_points / n_points);
       std::vector<std::string> pieces;
       for (const auto &cell : space.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned() &&
-            !space.is_gap(cell->active_cell_index()))
+        if (cell->is_locally_owned() && !space.is_gap(cell))
           {
             values.reinit(cell);
             if (fields.has_temperature)
@@ -152,17 +158,18 @@ namespace ThermoContact
                 of_fields.get_function_values(moving, velocity);
                 of_fields.get_function_values(viscous, total);
                 of_fields.get_function_gradients(viscous, gradient);
-                if (space.row().is_given())
+                if (space.has_bodies())
                   {
                     for (unsigned int q = 0; q < n_points; ++q)
                       {
-                        const double       x = values.quadrature_point(q)[0];
-                        const unsigned int number = cell->active_cell_index();
-                        const double       theta =
-                          fields.has_temperature ? temperature[q] : 0.;
+                        const Point<dim> &place = values.quadrature_point(q);
                         equations[q] =
-                          space.row().in_equations(number, x, theta);
-                        of_rod[q] = space.row().of_rod(number, x);
+                          space.in_equations(cell,
+                                             place,
+                                             fields.has_temperature ?
+                                               temperature[q] :
+                                               0.);
+                        materials[q] = space.of_material(cell, place);
                       }
                     of_fields.get_function_gradients(present, elastic);
                     of_fields.get_function_gradients(moving, rate);
@@ -197,7 +204,7 @@ namespace ThermoContact
     , fields(directory, "fields", units.of("time"))
     , gap(contact_gap<dim>(body.scene))
   {
-    if (dim > 1 && body.obstacle.is_active())
+    if (dim > 1 && (body.obstacle.is_active() || body.scene.obstacle_mass))
       obstacle.emplace(directory, "obstacle", units.of("time"));
     if (dim > 1 && body.law().is_active())
       contact_face.emplace(directory, "contact", units.of("time"));
@@ -246,6 +253,10 @@ namespace ThermoContact
     std::string fault;
     if constexpr (dim > 1)
       {
+        const double moved =
+          body.scene.obstacle_mass ?
+            discretization.obstacle_value(state.displacement) :
+            0.;
         const auto write = [&](const std::string &path, auto cells) {
           if (is_writer && fault.empty())
             fault = write_atomically(path, cells.file());
@@ -254,7 +265,7 @@ namespace ThermoContact
           {
             gap->set_time(state.time);
             write(obstacle->next_path(),
-                  obstacle_shape(body, units, gap.get()));
+                  obstacle_shape(body, units, gap.get(), moved));
           }
         else if (times().empty() && !body.scene.contact.has_uniform_gap())
           write(directory + "/obstacle.vtu", obstacle_shape(body, units));

@@ -329,6 +329,17 @@ namespace ThermoContact
       log.line("  units     " + units.description());
     if (scene.row.is_given())
       log.line("  row       " + describe_row(scene, units));
+    std::vector<std::string> coefficients;
+    if (scene.profile)
+      for (const auto &[name, value] :
+           scene.profile->coefficients().own_entries())
+        coefficients.push_back(
+          name + " = " +
+          as_written("Bodies/" + scene.parameters.row.bodies[0].name + "/" +
+                       name,
+                     value));
+    if (!coefficients.empty())
+      log.line("  material  " + join_words(coefficients));
     else
       log.line("  body      " + describe_body(scene, units));
     log.line("  unknowns  " + describe_unknowns(scene));

@@ -93,7 +93,7 @@ namespace ThermoContact
     bool
     halve_cells(Parameters &parameters)
     {
-      if (parameters.row.is_given())
+      if (parameters.has_row())
         return halve_cells_of_row(parameters);
       MeshParameters &mesh    = parameters.mesh;
       const double    spacing = mesh.contact_spacing();
@@ -105,13 +105,17 @@ namespace ThermoContact
         }
       else
         {
-          changes = mesh.cells > 1;
+          changes = mesh.cells > mesh.planes[0].size() + 1;
           if (parameters.dimension > 1)
             {
-              changes           = changes || mesh.n_cells_across() > 1;
-              mesh.cells_across = (mesh.n_cells_across() + 1) / 2;
+              changes =
+                changes || mesh.n_cells_across() > mesh.planes[1].size() + 1;
+              mesh.cells_across =
+                std::max<unsigned int>((mesh.n_cells_across() + 1) / 2,
+                                       mesh.planes[1].size() + 1);
             }
-          mesh.cells = (mesh.cells + 1) / 2;
+          mesh.cells = std::max<unsigned int>((mesh.cells + 1) / 2,
+                                              mesh.planes[0].size() + 1);
         }
       if (changes && has_joined_steps_and_cells(parameters) &&
           parameters.time.step_size)
@@ -138,7 +142,8 @@ namespace ThermoContact
       add("Mesh/Cells across",
           mesh.n_cells_across(),
           original.mesh.n_cells_across());
-      for (unsigned int i = 0; i < scene.row.bodies.size(); ++i)
+      for (unsigned int i = 0; scene.has_row() && i < scene.row.bodies.size();
+           ++i)
         if (!scene.row.bodies[i].is_mass())
           add(("Bodies/" + scene.row.bodies[i].name + "/Cells").c_str(),
               scene.row.bodies[i].cells,
@@ -223,12 +228,11 @@ namespace ThermoContact
         !coarser_in_space(parameters).empty())
       return "";
     const auto &bodies = parameters.row.bodies;
-    return parameters.row.is_given() &&
-               std::all_of(bodies.begin(),
-                           bodies.end(),
-                           [](const BodyParameters &body) {
-                             return body.is_mass();
-                           }) ?
+    return parameters.has_row() && std::all_of(bodies.begin(),
+                                               bodies.end(),
+                                               [](const BodyParameters &body) {
+                                                 return body.is_mass();
+                                               }) ?
              "all bodies are rigid masses, which have no cells" :
              "there are no fewer cells";
   }

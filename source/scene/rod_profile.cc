@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/shares.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/load_enclosure.h>
@@ -13,22 +14,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace ThermoContact
 {
   namespace
   {
-    auto
-    parts_of(const RodCoefficients &coefficients)
-    {
-      const auto &[a, b, c, d, e, f, g] = coefficients;
-      return std::tie(a, b, c, d, e, f, g);
-    }
-
-
-
     /** Places at which values are looked at first. */
     constexpr unsigned int n_looks = 64;
 
@@ -96,122 +87,33 @@ namespace ThermoContact
 
 
 
-  bool
-  operator==(const RodCoefficients &one, const RodCoefficients &other)
-  {
-    return parts_of(one) == parts_of(other);
-  }
-
-
-
-  namespace
-  {
-    double
-    plain_value(const double number)
-    {
-      return number;
-    }
-
-    double
-    plain_value(const NumberJet &jet)
-    {
-      return jet.value;
-    }
-  } // namespace
-
-
-
-  template <typename Number>
-  Number
-  RodProfile::Coefficient::at(const double x, const Number &theta) const
-  {
-    if (!expression)
-      return Number(number);
-    const Number variables[4] = {theta, Number(0.), Number(0.), Number(x)};
-    const Number result       = expression->evaluate(variables);
-    const double value        = plain_value(result);
-    if (!std::isfinite(value) || (!may_be_negative && value < 0.) ||
-        (!may_be_zero && value == 0.))
-      throw InputError(text(expression->path(),
-                            " = ",
-                            expression->text(),
-                            ": ",
-                            significant(value, 6),
-                            " at ",
-                            significant(100. * x / length, 6),
-                            " % of the rod",
-                            expression->depends_on("theta") ?
-                              text(" where theta is ",
-                                   significant(plain_value(theta), 6),
-                                   " (nondimensional)") :
-                              "",
-                            "\n  allowed: ",
-                            may_be_negative ? "finite numbers" :
-                            may_be_zero     ? "numbers from 0 on" :
-                                              "positive numbers",
-                            "\n  remedy:  an expression that has them in the "
-                            "whole rod",
-                            expression->depends_on("theta") ?
-                              ", at all of its temperatures" :
-                              ""));
-    return result;
-  }
-
-
-
   RodProfile::RodProfile(const Parameters     &parameters,
                          const BodyParameters &rod)
     : length(rod.length)
     , inertia(parameters.model.inertia)
-    , all(n_coefficients)
+    , all(parameters, rod, {{"theta", "", "", "x"}})
     , ends({0., rod.length})
   {
-    const auto set =
-      [&](const Name name, const char *entry, const RodCoefficient &given) {
-        all[name].number = given.value;
-        all[name].length = length;
-        if (given.expression.empty())
-          return;
-        const std::string path  = "Bodies/" + rod.name + "/" + entry;
-        ExpressionNames   names = parameters.names(path);
-        const bool        has_theta =
-          entry_of_program(path).variables(1).back() == "theta";
-        names.variables     = {has_theta ? "theta" : "", "", "", "x"};
-        names.checks_values = false; // on [0, 1], whatever the length
-        all[name].expression.emplace(path, given.expression, names);
-      };
-    set(section, "Section", rod.section);
-    set(stiffness, "Stiffness", rod.stiffness);
-    set(density, "Density", rod.density);
-    set(viscosity, "Viscosity", rod.viscosity);
-    set(coupling, "Coupling", rod.coupling);
-    set(conductivity, "Conductivity", rod.conductivity);
-    set(heat_capacity, "Heat capacity", rod.heat_capacity);
-    all[viscosity].may_be_zero = true;
-    all[coupling].may_be_zero = all[coupling].may_be_negative = true;
     if (varies())
       for (unsigned int i = 0; i <= n_looks; ++i)
         at(length * i / n_looks);
     // linear cells have means, whatever bends within them
     const bool has_means = parameters.mesh.degree == 1;
-    for (const Coefficient &coefficient : all)
-      if (coefficient.expression)
-        find_breaks(coefficient, !has_means);
+    for (const Expression *const coefficient : all.expressions())
+      find_breaks(*coefficient, !has_means);
   }
 
 
 
   void
-  RodProfile::find_breaks(const Coefficient &coefficient,
-                          const bool         takes_kinks)
+  RodProfile::find_breaks(const Expression &coefficient, const bool takes_kinks)
   {
-    const EnclosedLoad found =
-      enclose_load(TimeFunction(*coefficient.expression), length);
+    const EnclosedLoad found = enclose_load(TimeFunction(coefficient), length);
     if (!found.is_resolved)
       throw InputError(
-        text(coefficient.expression->path(),
+        text(coefficient.path(),
              " = ",
-             coefficient.expression->text(),
+             coefficient.text(),
              found.is_infinite ? ": not finite" : ": changes too fast",
              " near ",
              significant(100. * found.time / length, 6),
@@ -233,9 +135,7 @@ namespace ThermoContact
   bool
   RodProfile::varies() const
   {
-    return std::any_of(all.begin(), all.end(), [](const Coefficient &one) {
-      return one.expression.has_value();
-    });
+    return all.vary();
   }
 
 
@@ -243,11 +143,11 @@ namespace ThermoContact
   std::vector<const Expression *>
   RodProfile::of_temperature() const
   {
-    std::vector<const Expression *> expressions;
-    for (const Coefficient &one : all)
-      if (one.expression && one.expression->depends_on("theta"))
-        expressions.push_back(&*one.expression);
-    return expressions;
+    std::vector<const Expression *> found;
+    for (const Expression *const one : all.expressions())
+      if (one->depends_on("theta"))
+        found.push_back(one);
+    return found;
   }
 
 
@@ -255,51 +155,24 @@ namespace ThermoContact
   bool
   RodProfile::has_one_speed() const
   {
-    return !all[stiffness].expression && !all[density].expression;
+    return all.is_number(MaterialCoefficients::stiffness) &&
+           all.is_number(MaterialCoefficients::density);
   }
 
 
 
-  template <typename Number>
-  std::array<Number, 7>
-  RodProfile::terms(const double x, const Number &theta) const
+  double
+  RodProfile::value(const MaterialCoefficients::Name name, const double x) const
   {
-    const auto   of = [&](const Name name) { return all[name].at(x, theta); };
-    const Number A = of(section), E = of(stiffness);
-    return {{A,
-             A * of(heat_capacity),
-             A * of(conductivity),
-             A * of(coupling),
-             A * of(density),
-             A * E,
-             A * E * of(viscosity)}};
+    return all.at<double>(name, {{0., 0., 0., x}});
   }
-
-
-
-  namespace
-  {
-    template <typename Number, typename Part>
-    RodCoefficients
-    coefficients(const std::array<Number, 7> &terms, const Part &part)
-    {
-      return {part(terms[0]),
-              part(terms[1]),
-              part(terms[2]),
-              part(terms[3]),
-              part(terms[4]),
-              part(terms[5]),
-              part(terms[6])};
-    }
-  } // namespace
 
 
 
   RodCoefficients
   RodProfile::at(const double x, const double theta) const
   {
-    return coefficients(terms(x, theta),
-                        [](const double term) { return term; });
+    return all.in_equations({{theta, 0., 0., x}});
   }
 
 
@@ -307,9 +180,18 @@ namespace ThermoContact
   RodTangents
   RodProfile::tangents(const double x, const double theta) const
   {
-    const auto jets = terms(x, NumberJet(theta, 1., 0.));
-    return {coefficients(jets, [](const NumberJet &jet) { return jet.value; }),
-            coefficients(jets, [](const NumberJet &jet) { return jet.first; })};
+    const auto jets = all.terms<NumberJet>(
+      {{NumberJet(theta, 1., 0.), NumberJet(0.), NumberJet(0.), NumberJet(x)}});
+    const auto part = [&jets](double NumberJet::*const of) -> RodCoefficients {
+      return {jets[0].*of,
+              jets[1].*of,
+              jets[2].*of,
+              jets[3].*of,
+              jets[4].*of,
+              jets[5].*of,
+              jets[6].*of};
+    };
+    return {part(&NumberJet::value), part(&NumberJet::first)};
   }
 
 
@@ -331,7 +213,7 @@ namespace ThermoContact
                  c.coupling,
                  c.inertia,
                  1. / c.stiffness,
-                 all[viscosity].at(x)}};
+                 value(MaterialCoefficients::viscosity, x)}};
       },
       [&sums](const double, const Values<7> &values) {
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -362,7 +244,8 @@ namespace ThermoContact
   double
   RodProfile::slowness(const double x) const
   {
-    return std::sqrt(inertia * all[density].at(x) / all[stiffness].at(x));
+    return std::sqrt(inertia * value(MaterialCoefficients::density, x) /
+                     value(MaterialCoefficients::stiffness, x));
   }
 
 
@@ -401,34 +284,12 @@ namespace ThermoContact
   std::vector<unsigned int>
   RodProfile::cells_of_parts(const unsigned int wanted) const
   {
-    const unsigned int n_cells = std::max(wanted, n_parts());
     // without inertia all take no time: by length
     std::vector<double> weights = passages();
     if (!(inertia > 0.))
       for (std::size_t part = 0; part + 1 < ends.size(); ++part)
         weights[part] = ends[part + 1] - ends[part];
-    const double sum = std::accumulate(weights.begin(), weights.end(), 0.);
-    std::vector<unsigned int> cells(weights.size(), 1);
-    // each next cell where those that are there are the largest
-    for (std::size_t part = 0; part < cells.size(); ++part)
-      cells[part] = std::max(1., std::floor(n_cells * weights[part] / sum));
-    unsigned int n      = std::accumulate(cells.begin(), cells.end(), 0U);
-    const auto   excess = [&](const std::size_t part) {
-      return cells[part] - n_cells * weights[part] / sum;
-    };
-    while (n != n_cells)
-      {
-        std::size_t best = cells.size();
-        for (std::size_t part = 0; part < cells.size(); ++part)
-          if ((n < n_cells || cells[part] > 1) &&
-              (best == cells.size() ||
-               (n < n_cells ? excess(part) < excess(best) :
-                              excess(part) > excess(best))))
-            best = part;
-        cells[best] += n < n_cells ? 1 : -1;
-        n += n < n_cells ? 1 : -1;
-      }
-    return cells;
+    return shares(weights, wanted);
   }
 
 
@@ -503,26 +364,24 @@ namespace ThermoContact
   RodProfile::doubts() const
   {
     std::vector<std::string> all_doubts;
-    for (const Coefficient &one : all)
-      if (one.expression)
-        {
-          for (const std::string &doubt : one.expression->doubts_of_tables())
-            all_doubts.push_back(one.expression->path() + ": " + doubt);
-          for (const bool is_end : {false, true})
-            {
-              const double variables[4] = {0., 0., 0., is_end ? length : 0.};
-              for (const std::string &file :
-                   one.expression->tables_left(variables))
-                all_doubts.push_back(
-                  text(one.expression->path(),
-                       ": ",
-                       quote(file),
-                       " has no row at the ",
-                       is_end ? "right" : "left",
-                       " end of the rod: the value of its nearest row holds "
-                       "there"));
-            }
-        }
+    for (const Expression *const one : all.expressions())
+      {
+        for (const std::string &doubt : one->doubts_of_tables())
+          all_doubts.push_back(one->path() + ": " + doubt);
+        for (const bool is_end : {false, true})
+          {
+            const double variables[4] = {0., 0., 0., is_end ? length : 0.};
+            for (const std::string &file : one->tables_left(variables))
+              all_doubts.push_back(
+                text(one->path(),
+                     ": ",
+                     quote(file),
+                     " has no row at the ",
+                     is_end ? "right" : "left",
+                     " end of the rod: the value of its nearest row holds "
+                     "there"));
+          }
+      }
     return all_doubts;
   }
 
@@ -532,12 +391,6 @@ namespace ThermoContact
   RodProfile::operator==(const RodProfile &other) const
   {
     return length == other.length && inertia == other.inertia &&
-           std::equal(all.begin(),
-                      all.end(),
-                      other.all.begin(),
-                      [](const Coefficient &a, const Coefficient &b) {
-                        return a.number == b.number &&
-                               a.expression == b.expression;
-                      });
+           all == other.all;
   }
 } // namespace ThermoContact

@@ -388,7 +388,7 @@ namespace ThermoContact
   {
     const RowParameters &given = parameters.row;
     BodyRow              row;
-    if (!given.is_given())
+    if (!parameters.has_row())
       return row;
     double length = 0.;
     for (const BodyParameters &body : given.bodies)

@@ -34,6 +34,26 @@ namespace ThermoContact
 
 
 
+    std::optional<ObstacleMass>
+    resolve_obstacle_mass(const Parameters  &parameters,
+                          const SceneFields &fields)
+    {
+      const BodyParameters *const mass = parameters.obstacle_mass();
+      if (mass == nullptr || !fields.has_displacement)
+        return {};
+      const std::string path         = "Bodies/" + mass->name + "/Velocity";
+      const double      variables[4] = {};
+      return ObstacleMass{mass->mass,
+                          parameters.boundary.right.spring,
+                          parameters.boundary.right.dashpot,
+                          Expression(path,
+                                     mass->velocity,
+                                     parameters.names(path))
+                            .evaluate(variables)};
+    }
+
+
+
     /** Null for an empty one. */
     std::unique_ptr<const Expression>
     read_expression(const Parameters  &parameters,
@@ -242,6 +262,7 @@ namespace ThermoContact
     {
       return fields.has_displacement && parameters.model.inertia > 0. &&
              heat.exchange->is_constant() && !has_motion &&
+             parameters.obstacle_mass() == nullptr &&
              (parameters.time.start == "paper" ||
               (parameters.time.start == "automatic" &&
                scheme.is_backward_euler &&
@@ -267,7 +288,7 @@ namespace ThermoContact
         return false;
       const BoundaryParameters::Right &right = parameters.boundary.right;
       if (scheme.has_no_dispersion || right.mass > 0. || right.dashpot > 0. ||
-          parameters.row.is_given())
+          parameters.has_row() || parameters.obstacle_mass() != nullptr)
         return false; // its mass matrix knows no single nodes, or they carry it
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
@@ -340,8 +361,8 @@ namespace ThermoContact
           const ContactLaw &law        = contact.law_of(side);
           const auto        compliance = law.compliance();
           if (material.has_inertia() && !contact.has_massless_nodes &&
-              !row.is_given() && compliance && !law.is_damped() &&
-              contact_nodes_oscillate(parameters, law))
+              !row.is_given() && !parameters.obstacle_mass() && compliance &&
+              !law.is_damped() && contact_nodes_oscillate(parameters, law))
             contact.bouncing_compliance =
               std::min(contact.bouncing_compliance.value_or(infinity),
                        *compliance);
@@ -367,6 +388,8 @@ namespace ThermoContact
     {
       if (parameters.dimension == 1)
         return "Dimension = 1";
+      if (parameters.has_material())
+        return "Bodies = a material of its own";
       if (scheme.needs_factors)
         return "Time/Scheme = " + scheme.name;
       if (is_fixed_point)
@@ -434,6 +457,10 @@ namespace ThermoContact
     , fields{parameters.model.fields != "displacement",
              parameters.model.fields != "temperature"}
     , row(resolve_row(parameters))
+    , profile(parameters.has_material() ?
+                std::optional<BodyProfile>(parameters) :
+                std::nullopt)
+    , obstacle_mass(resolve_obstacle_mass(parameters, fields))
     , geometry(ThermoContact::geometry(parameters.mesh.geometry)
                  .make(parameters.dimension, parameters.mesh.width))
     , material(resolve_material(parameters.model, parameters.boundary, fields))
@@ -528,6 +555,7 @@ namespace ThermoContact
           std::pair(right.dashpot, "dashpot on the right"),
           std::pair(right.mass, "mass on the right")})
       add_if(has_displacement && value > 0., word);
+    add_if(scene.obstacle_mass.has_value(), "mass as the obstacle");
     add_if(has_displacement && material.has_viscosity(), "viscosity");
     add_if(material.has_thermal_stress(), "thermal stress");
     add_if(material.has_heating(), "thermoelastic heating");

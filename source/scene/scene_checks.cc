@@ -563,10 +563,11 @@ namespace ThermoContact
             const std::string path    = part + name;
             const bool        is_mass = path == part + "Mass";
             const Refusal     attached{path, text(value), "0"};
-            attached.since(parameters.dimension > 1,
-                           text("Dimension = ", parameters.dimension),
-                           path +
-                             " = 0: only rods carry something on their ends");
+            attached.since(
+              parameters.dimension > 1 &&
+                (is_mass || !is_contact_end || !scene.obstacle_mass),
+              text("Dimension = ", parameters.dimension),
+              path + " = 0: only rods carry something on their ends");
             attached.since(is_mass && !scene.material.has_inertia(),
                            no_inertia,
                            "Model/Inertia above 0, such as 1e-3 of the mass");
@@ -737,6 +738,173 @@ namespace ThermoContact
 
 
 
+    /** Entries that an obstacle with a mass cannot have, (M10.10). */
+    void
+    check_obstacle_mass(const Scene &scene)
+    {
+      const Parameters           &parameters = scene.parameters;
+      const BodyParameters *const mass       = parameters.obstacle_mass();
+      if (mass == nullptr)
+        return;
+      const std::string path = "Bodies/" + mass->name;
+      const std::string name = path + " = a mass";
+      const auto        no   = [&](const bool         is_there,
+                          const std::string &entry,
+                          const std::string &value,
+                          const std::string &allowed,
+                          const std::string &remedy) {
+        Refusal{entry, value, allowed}.since(is_there, name, remedy);
+      };
+      for (const auto &[entry, value] :
+           {std::pair("Displacement", mass->displacement),
+            std::pair("Temperature", mass->temperature)})
+        no(!equal_values(value, "0"),
+           path + "/" + entry,
+           value,
+           "0",
+           entry == std::string("Displacement") ?
+             "Contact/Gap, its distance at the start" :
+             "Boundary/right/Surroundings, the temperature of the obstacle");
+      no(!scene.fields.has_displacement,
+         "Model/Fields",
+         "temperature",
+         "temperature and displacement or displacement",
+         "Model/Fields = displacement");
+      no(!scene.material.has_inertia(),
+         "Model/Inertia",
+         "0",
+         "above 0",
+         "Model/Inertia above 0: a mass is inertia alone");
+      const std::string &support = parameters.boundary.right.support;
+      no(support != "contact",
+         "Boundary/right/Support",
+         support,
+         "contact",
+         "Boundary/right/Support = contact");
+      no(!scene.contact.law->is_active() || scene.contact.law->is_rigid(),
+         "Contact/Condition",
+         parameters.contact.condition,
+         "an elastic obstacle",
+         "Contact/Condition = normal compliance");
+      no(scene.contact.is_two_sided(),
+         "Contact/Rear gap",
+         text(scene.contact.rear_gap),
+         "none",
+         "Contact/Rear gap = none");
+      no(scene.sources.has_moving_obstacle,
+         "Contact/Gap",
+         parameters.contact.gap_expression,
+         "a number or an expression in y and z",
+         path + "/Velocity: the mass moves by itself");
+      no(parameters.contact.massless_nodes == "on",
+         "Contact/Massless nodes",
+         "on",
+         "automatic or off",
+         "Contact/Massless nodes = automatic");
+      no(scene.is_fixed_point,
+         "Solver/Step solver",
+         "fixed point",
+         "monolithic",
+         "Solver/Step solver = monolithic");
+      no(scene.scheme.integrator == IntegratorKind::energy_conserving,
+         "Time/Scheme",
+         scene.scheme.name,
+         "a scheme of another name",
+         "Time/Scheme = automatic");
+      no(parameters.time.start == "paper",
+         "Time/Start",
+         "paper",
+         "automatic or consistent",
+         "Time/Start = automatic");
+    }
+
+
+
+    /** Entries that the material of a body in several dimensions cannot have,
+     * (M10.9). */
+    void
+    check_material(const Scene &scene)
+    {
+      const Parameters &parameters = scene.parameters;
+      if (!scene.profile)
+        return;
+      const std::string dimension = text("Dimension = ", parameters.dimension);
+      const std::vector<BodyParameters> &bodies = parameters.row.bodies;
+      if (bodies.size() > 2 || (bodies.size() == 2 && !bodies[1].is_mass()))
+        refuse("Bodies/" + bodies.back().name,
+               "one more body",
+               "one body, and a mass behind it, since " + dimension,
+               "layers as expressions of x, y or z, such as Bodies/" +
+                 bodies[0].name + "/Stiffness = if(y<0.05, 2, 1)");
+      if (!parameters.row.pairs.empty())
+        refuse("Contacts/" + parameters.row.pairs[0].name,
+               "a pair of bodies",
+               "none, since " + dimension,
+               "section Contact: the body meets the obstacle, or the mass");
+      const BodyParameters &body = bodies[0];
+      const auto            no   = [&](const bool         is_there,
+                          const std::string &entry,
+                          const std::string &value,
+                          const std::string &allowed,
+                          const std::string &remedy) {
+        Refusal{"Bodies/" + body.name + "/" + entry, value, allowed}.since(
+          is_there, dimension, remedy);
+      };
+      no(body.is_mass(),
+         "Kind",
+         "mass",
+         "rod",
+         "a body, which the mass stands behind");
+      no(body.length != 1.,
+         "Length",
+         text(body.length),
+         "1",
+         "Mesh/Width: the length of a strip or block is the unit");
+      no(body.cells != 0, "Cells", text(body.cells), "automatic", "Mesh/Cells");
+      no(body.section.value != 1. || !body.section.expression.empty(),
+         "Section",
+         body.section.expression.empty() ? text(body.section.value) :
+                                           body.section.expression,
+         "1",
+         "Mesh/Width");
+      for (const auto &[entry, value] :
+           {std::pair("Temperature", body.temperature),
+            std::pair("Displacement", body.displacement),
+            std::pair("Velocity", body.velocity)})
+        no(!equal_values(value, "0"),
+           entry,
+           value,
+           "0",
+           std::string("Initial values/") + entry);
+      if (const Expression *const one = scene.profile->of_temperature())
+        Refusal{one->path(), one->text(), "an expression in x, y and z"}.since(
+          true, dimension, "Dimension = 1: coefficients of theta are of rods");
+      check_obstacle_mass(scene);
+      const MeshParameters &mesh = parameters.mesh;
+      for (const auto &[path, number, grading, planes] :
+           {std::tuple("Mesh/Cells", mesh.cells, mesh.grading, mesh.planes[0]),
+            std::tuple("Mesh/Cells across",
+                       mesh.n_cells_across(),
+                       mesh.grading_across,
+                       mesh.planes[1])})
+        {
+          const std::string jumps = "cells end where the material jumps";
+          if (number < planes.size() + 1)
+            refuse(path,
+                   number,
+                   text("from ", planes.size() + 1, " on, since ", jumps),
+                   text(path, " = ", planes.size() + 1));
+          if (grading != 1. && !planes.empty())
+            refuse(std::string("Mesh/Grading") +
+                     (path == std::string("Mesh/Cells") ? "" : " across"),
+                   grading,
+                   "1, since " + jumps,
+                   std::string("more ") + path);
+        }
+    }
+
+
+
     /** Entries that a row of bodies cannot have, (M10.1). */
     void
     check_row(const Scene &scene)
@@ -754,11 +922,6 @@ namespace ThermoContact
                           const std::string &remedy) {
         Refusal{path, value, allowed}.since(is_there, name, remedy);
       };
-      no(parameters.dimension > 1,
-         "Dimension",
-         text(parameters.dimension),
-         "1",
-         "Dimension = 1: bodies in two and three dimensions are one");
       no(parameters.mesh.grading != 1.,
          "Mesh/Grading",
          text(parameters.mesh.grading),
@@ -1220,6 +1383,7 @@ namespace ThermoContact
     check_attached(scene);
     check_hold(scene);
     check_row(scene);
+    check_material(scene);
     check_support(scene);
     check_linear_solver(scene);
     check_error_bars(parameters);

@@ -7,6 +7,7 @@
 #include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/method/critical_step.h>
+#include <thermocontact/scene/body_profile.h>
 #include <thermocontact/scene/row.h>
 #include <thermocontact/scene/scheme_choice.h>
 
@@ -725,6 +726,70 @@ namespace ThermoContact
           parameters.time.step_size = passage;
       return choice;
     }
+
+
+
+    /** The scheme and the cells of one body without parts. */
+    SchemeChoice
+    choose_scheme_of_body(const Parameters &written)
+    {
+      if (written.time.scheme != automatic_scheme)
+        return with_scheme(written, scheme(written.time.scheme), "");
+      const std::string  reason = reason_for_default(written);
+      const unsigned int cells  = reason.empty() || has_thin_layer(written) ?
+                                    cells_of_fronts(written) :
+                                    0;
+      if (!reason.empty())
+        return with_scheme(written,
+                           default_scheme(),
+                           cells > 0 ?
+                             "its mesh resolves the layer of an impact" :
+                             reason,
+                           cells);
+      if (cells > 0 &&
+          (written.mesh.cells == 0 ||
+           std::ldexp(written.mesh.cells, written.mesh.refinements) >= cells))
+        return with_scheme(written,
+                           default_scheme(),
+                           "its mesh resolves all fronts",
+                           cells);
+      if (const std::string entry = entry_against_box(written); !entry.empty())
+        return with_scheme(written,
+                           default_scheme(),
+                           "box cannot have " + entry);
+      const SchemeChoice choice =
+        with_scheme(written,
+                    *find_scheme(
+                      [](const Scheme &s) { return s.has_no_dispersion; }),
+                    "waves are sharp, and nothing smooths them");
+      const Parameters &parameters = choice.parameters;
+      const double      n_steps =
+        parameters.time.end_time / *parameters.time.step_size;
+      if (n_steps *
+            std::ldexp(parameters.mesh.cells, parameters.mesh.refinements) <=
+          Tolerances::most_cell_steps)
+        return choice;
+      return with_scheme(written,
+                         default_scheme(),
+                         "box would take " + about(n_steps) + " steps");
+    }
+
+
+
+    /** Cells end where the material jumps. */
+    void
+    end_cells_at_planes(SchemeChoice &choice)
+    {
+      MeshParameters &mesh      = choice.parameters.mesh;
+      mesh.planes               = BodyProfile(choice.parameters).planes();
+      const unsigned int fewest = mesh.planes[0].size() + 1;
+      for (ChosenEntry &entry : choice.entries)
+        if (entry.path == "Mesh/Cells" && mesh.cells < fewest)
+          {
+            mesh.cells  = fewest;
+            entry.value = text(fewest);
+          }
+    }
   } // namespace
 
 
@@ -732,43 +797,11 @@ namespace ThermoContact
   SchemeChoice
   choose_scheme(const Parameters &written)
   {
-    if (written.row.is_given())
+    if (written.has_row())
       return choose_scheme_of_row(written);
-    if (written.time.scheme != automatic_scheme)
-      return with_scheme(written, scheme(written.time.scheme), "");
-    const std::string  reason = reason_for_default(written);
-    const unsigned int cells =
-      reason.empty() || has_thin_layer(written) ? cells_of_fronts(written) : 0;
-    if (!reason.empty())
-      return with_scheme(written,
-                         default_scheme(),
-                         cells > 0 ?
-                           "its mesh resolves the layer of an impact" :
-                           reason,
-                         cells);
-    if (cells > 0 &&
-        (written.mesh.cells == 0 ||
-         std::ldexp(written.mesh.cells, written.mesh.refinements) >= cells))
-      return with_scheme(written,
-                         default_scheme(),
-                         "its mesh resolves all fronts",
-                         cells);
-    if (const std::string entry = entry_against_box(written); !entry.empty())
-      return with_scheme(written, default_scheme(), "box cannot have " + entry);
-    const SchemeChoice choice =
-      with_scheme(written,
-                  *find_scheme(
-                    [](const Scheme &s) { return s.has_no_dispersion; }),
-                  "waves are sharp, and nothing smooths them");
-    const Parameters &parameters = choice.parameters;
-    const double      n_steps =
-      parameters.time.end_time / *parameters.time.step_size;
-    if (n_steps *
-          std::ldexp(parameters.mesh.cells, parameters.mesh.refinements) <=
-        Tolerances::most_cell_steps)
-      return choice;
-    return with_scheme(written,
-                       default_scheme(),
-                       "box would take " + about(n_steps) + " steps");
+    SchemeChoice choice = choose_scheme_of_body(written);
+    if (written.has_material())
+      end_cells_at_planes(choice);
+    return choice;
   }
 } // namespace ThermoContact

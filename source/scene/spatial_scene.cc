@@ -31,6 +31,8 @@ namespace ThermoContact
     , left(scene.parameters.boundary.left)
     , right(scene.parameters.boundary.right)
     , row(scene.row)
+    , profile(scene.profile)
+    , obstacle_mass(scene.obstacle_mass)
     , gap(scene.contact.gap)
   {
     if (scene.contact.law->is_active() &&
@@ -51,8 +53,8 @@ namespace ThermoContact
     auto
     members(const MeshParameters &mesh)
     {
-      const auto &[a, b, c, d, e, f, g, h, i] = mesh;
-      return std::tie(a, b, c, d, e, f, g, h, i);
+      const auto &[a, b, c, d, e, f, g, h, i, j] = mesh;
+      return std::tie(a, b, c, d, e, f, g, h, i, j);
     }
 
     auto
@@ -104,9 +106,11 @@ namespace ThermoContact
                    w,
                    x,
                    y,
-                   z] = all;
-      const auto others =
-        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, x, y, z);
+                   z,
+                   zz,
+                   zzz] = all;
+      const auto others = std::tie(
+        d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, x, y, z, zz, zzz);
       return std::tuple_cat(
         members(a), members(b), members(c), members(v), members(w), others);
     }

@@ -112,12 +112,12 @@ namespace ThermoContact
     {
       const Parameters    &parameters = scene.parameters;
       const RowParameters &row        = parameters.row;
-      unused.add_if(row.is_given(),
+      unused.add_if(parameters.has_row(),
                     {"Initial values/Temperature",
                      "Initial values/Displacement",
                      "Initial values/Velocity"},
                     "Bodies = a row, which has them");
-      unused.add_if(row.is_given() && !scene.scheme_choice.shares_cells,
+      unused.add_if(parameters.has_row() && !scene.scheme_choice.shares_cells,
                     {"Mesh/Cells", "Mesh/Refinements"},
                     "Bodies/NAME/Cells = a number for each rod");
       const std::string fields = "Model/Fields = " + parameters.model.fields;
@@ -189,6 +189,9 @@ namespace ThermoContact
           add(!material.has_viscosity() && !is_in_si,
               {"Viscosity"},
               "Model/Viscosity = 0");
+          add(&body == parameters.obstacle_mass(),
+              {"Heat capacity"},
+              "Boundary/right/Surroundings = its temperature");
           add(parameters.model.coupling == 0.,
               {"Coupling"},
               "Model/Coupling = 0");
@@ -311,7 +314,7 @@ namespace ThermoContact
     unused.add_if(right.temperature.has_value(),
                   {"Boundary/right/Surroundings", "Boundary/right/Heat flux"},
                   given);
-    unused.add_if(right.temperature && !parameters.row.is_given(),
+    unused.add_if(right.temperature && !parameters.has_row(),
                   {"Boundary/right/Heat exchange"},
                   given);
     const std::string support = "Boundary/right/Support = " + right.support;
@@ -321,7 +324,7 @@ namespace ThermoContact
                    "Boundary/right/Dashpot",
                    "Boundary/right/Mass"},
                   support);
-    unused.add_if(!right.meets_obstacle() && !parameters.row.is_given(),
+    unused.add_if(!right.meets_obstacle() && !parameters.has_row(),
                   {"Contact/Gap",
                    "Contact/Rear gap",
                    "Contact/Massless nodes",

@@ -367,6 +367,8 @@ namespace ThermoContact
       projection.project(*body.data.initial_velocity, unused, state.velocity);
     }
     discretization.set_zero_in_gaps(state);
+    if (const auto entry = discretization.obstacle_entry())
+      state.velocity.begin()[*entry] = body.scene.obstacle_mass->velocity;
     check_values(body, state, warnings);
     if constexpr (dim == 1)
       if (body.scene.has_midpoint_mass)

@@ -173,7 +173,15 @@ namespace ThermoContact
     const ContactEnd<dim> &end = body.contact_end();
     end.get_values(Field::displacement, state.displacement, contact_values);
     record.displacement_end = end.mean(contact_values);
-    record.in_contact       = false;
+    if (body.scene.obstacle_mass)
+      {
+        record.obstacle_displacement =
+          body.discretization.obstacle_value(state.displacement);
+        record.obstacle_velocity =
+          body.discretization.obstacle_value(state.velocity);
+        record.displacement_end += record.obstacle_displacement;
+      }
+    record.in_contact = false;
     if (body.law().is_active())
       {
         get_node_laws(body, state, contact_laws, contact_values);
@@ -192,7 +200,8 @@ namespace ThermoContact
     if (!(body.scene.material.is_static() && state.was_moved_at_once()))
       {
         end.get_values(Field::displacement, state.velocity, contact_values);
-        record.velocity_end = end.mean(contact_values);
+        record.velocity_end =
+          end.mean(contact_values) + record.obstacle_velocity;
       }
 
     record.contact_force        = end.mean(state.contact_pressure);
@@ -207,9 +216,10 @@ namespace ThermoContact
             std::max(record.penetration,
                      contact.law_under(p, i).penetration(std::abs(p)));
         }
-    record.stress_end = mean_traction() - record.contact_force;
+    record.stress_end =
+      (body.scene.obstacle_mass ? 0. : mean_traction()) - record.contact_force;
     if (const auto &right = body.scene.parameters.boundary.right;
-        right.is_any())
+        right.is_any() && !body.scene.obstacle_mass)
       record.stress_end -= right.mass > 0. ?
                              nan : // the mass has a part of the force
                              right.spring * record.displacement_end +

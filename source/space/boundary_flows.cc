@@ -60,7 +60,8 @@ namespace ThermoContact
     const bool is_held = is_left ? !scene.has_free_end : right.is_clamped();
     const bool has_exchange = fields.has_temperature && !has_given_temperature;
     const bool has_force    = fields.has_displacement && !is_held;
-    const bool has_springs  = has_force && dim == 1;
+    const bool is_mass      = !is_left && scene.obstacle_mass.has_value();
+    const bool has_springs  = has_force && (dim == 1 || is_mass);
     const std::array<bool, 2> is_given  = {{has_given_temperature, is_held}},
                               has_field = {{fields.has_temperature,
                                             fields.has_displacement}};
@@ -85,6 +86,13 @@ namespace ThermoContact
       if (has_field[field])
         {
           end.weights[field] = loads.weights_of_end(part, field);
+          if (is_mass && field == Field::displacement)
+            {
+              end.weights[field] = 0.;
+              if (const auto entry = discretization.obstacle_entry())
+                end.weights[field].begin()[*entry] =
+                  discretization.geometry().cross_section();
+            }
           if (is_given[field] && is_left)
             end.given[field] = entries_of_fixed_end(discretization, field);
           else if (is_given[field])
@@ -117,7 +125,7 @@ namespace ThermoContact
     end.get_values(Field::temperature, state.temperature, temperature);
     double sum = 0.;
     for (unsigned int i = 0; i < temperature.size(); ++i)
-      if (!end.nodes()[i].meets_body())
+      if (!end.nodes()[i].has_partner(Field::temperature))
         sum -= end.share(i) * surroundings.flux(i,
                                                 state.exchange_coefficient[i],
                                                 temperature[i],
@@ -176,7 +184,8 @@ namespace ThermoContact
           end.dashpot * v;
         own.*end.impulse = -sum_at(held, momentum_residual) - attached;
         own.*end.work =
-          -product_at(held, momentum_residual, state.velocity) - attached * v;
+          -product_at(held, momentum_residual, state.velocity) -
+          attached * v / discretization.geometry().cross_section();
         if (held.empty())
           {
             own.*end.impulse += local_sum(momentum_of_end);
@@ -228,7 +237,8 @@ namespace ThermoContact
             own.*end.work =
               local_product(momentum_of_end, motion) -
               end.spring *
-                (local_product(weights, state.displacement) - 0.5 * way) * way;
+                (local_product(weights, state.displacement) - 0.5 * way) * way /
+                discretization.geometry().cross_section();
           }
       }
     return sum_of_all(own);

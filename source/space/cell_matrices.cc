@@ -108,15 +108,11 @@ namespace ThermoContact
     if (dim == 1 && lateral_coefficient > 0.)
       {
         cell_values.reinit(cell);
-        const BodyRow     &row    = discretization.row();
-        const unsigned int number = cell->active_cell_index();
         give(
           cell_values,
           [&](const Point<dim> &place) {
             return lateral_coefficient *
-                   (row.is_given() ?
-                      row.in_equations(number, place[0]).section :
-                      1.);
+                   discretization.in_equations(cell, place).section;
           },
           true,
           [](const unsigned int) { return true; });

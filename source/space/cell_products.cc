@@ -540,12 +540,13 @@ namespace ThermoContact
   {
     const auto &values = discretization.nodal_values(field);
     for (unsigned int i = 0; i < values.size(); ++i)
-      y.local_element(i) += on_grid->diagonal_entry(
-        op,
-        op == OnGrid::momentum ? values[i].component : 0,
-        on_grid->grid.index(on_grid->grid.number(values[i].node)),
-        mass,
-        stiffness);
+      if (discretization.is_in_body(values[i].node))
+        y.local_element(i) += on_grid->diagonal_entry(
+          op,
+          op == OnGrid::momentum ? values[i].component : 0,
+          on_grid->grid.index(on_grid->grid.number(values[i].node)),
+          mass,
+          stiffness);
   }
 
 
@@ -613,7 +614,8 @@ namespace ThermoContact
           const auto &values = discretization.nodal_values(field);
           entries[field].resize(grid.n_nodes());
           for (unsigned int i = 0; i < values.size(); ++i)
-            if (values[i].component == 0)
+            if (values[i].component == 0 &&
+                discretization.is_in_body(values[i].node))
               entries[field][grid.number(values[i].node)] = i;
         }
     on_grid = std::make_unique<const OnGrid>(scene, geometry, grid, &entries);
@@ -666,7 +668,7 @@ namespace ThermoContact
         const unsigned int n_before = first_at_end = cells.size();
         for (const Cell &cell :
              discretization.dof_handler().active_cell_iterators())
-          if (cell->is_locally_owned() &&
+          if (cell->is_locally_owned() && !discretization.is_gap(cell) &&
               touches_contact_end<dim>(cell) == at_end)
             {
               if (cells.size() == n_before || cells.back().size() == n_lanes)
@@ -853,7 +855,8 @@ namespace ThermoContact
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     for (const Cell &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
+      if (cell->is_locally_owned() && cell->at_boundary() &&
+          !discretization.is_gap(cell))
         {
           cell->get_dof_indices(dofs);
           const auto add = [&](const Field::Block field,

@@ -154,11 +154,13 @@ namespace ThermoContact
             if (nodes_[i].weight > 0.)
               entries_[field].push_back(all_entries_[field].back());
           }
-    for (const Field::Block field : all_fields) // one process has a row
+    for (const Field::Block field : all_fields)
       for (unsigned int i = 0; i < nodes_.size(); ++i)
-        if (const auto partner = nodes_[i].partner[field];
-            partner != numbers::invalid_dof_index)
-          partners_[field].emplace_back(i, partner);
+        if (nodes_[i].weight > 0. && nodes_[i].has_partner(field))
+          if (const IndexSet &owned = discretization.owned_by_block()[field];
+              owned.is_element(nodes_[i].partner[field]))
+            partners_[field].emplace_back(
+              i, owned.index_within_set(nodes_[i].partner[field]));
     while (nodes_.back().weight == 0.)
       nodes_.pop_back();
   }
@@ -239,6 +241,8 @@ namespace ThermoContact
       {
         sorted.push_back(node);
         sorted.back().gap = gap.value(node.position);
+        sorted.back().partner[Field::displacement] =
+          discretization.obstacle_dof();
         check_gap(sorted.back());
       }
 
@@ -318,7 +322,7 @@ namespace ThermoContact
                                 const double       change,
                                 Vector            &vector) const
   {
-    const double part = nodes_[node].meets_body() ? 0.5 * change : change;
+    const double part = nodes_[node].has_partner(field) ? 0.5 * change : change;
     for (const auto &[i, entry] : entries_[field])
       if (i == node)
         vector.begin()[entry] += part;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/dealii_versions.h>
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/discretization.h>
 #include <thermocontact/space/problem_data.h>
 
@@ -21,6 +22,11 @@ namespace ThermoContact
 {
   namespace
   {
+    /** A body whose coefficients are those of the scene. */
+    const RodCoefficients one_everywhere{1., 1., 1., 1., 1., 1., 1.};
+
+
+
     /** Several ranks share the cells; p4est takes time. */
     template <int dim>
     std::unique_ptr<Triangulation<dim>>
@@ -53,11 +59,15 @@ namespace ThermoContact
                      scene.row.begins_with_mass() || !scene.has_free_end}}
     , is_held_right_{{scene.has_right_temperature, scene.has_clamped_right}}
     , row_(scene.row)
+    , profile(scene.profile)
     , exchange_coefficient_(scene.exchange_coefficient)
   {
-    make_grid(scene.mesh, scene.n_halvings);
+    make_grid(scene);
     distribute_dofs(scene.fields);
-    constraints_ = make_constraints(held_components(scene), scene.has_pins);
+    if (scene.obstacle_mass)
+      find_obstacle();
+    constraints_ =
+      make_constraints(held_components(scene), scene.has_pins, false);
     collect_constrained();
     collect_nodal_values();
     if (dim > 1)
@@ -85,37 +95,101 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** The cells of bodies before their refinements; faces have their ids. */
+    template <int dim>
+    void
+    make_boxes(const SpatialScene &scene,
+               const Point<dim>   &corner,
+               Triangulation<dim> &grid)
+    {
+      const MeshParameters            &mesh     = scene.mesh;
+      const bool                       colorize = true;
+      std::vector<std::vector<double>> sizes(dim);
+      if (scene.row.is_given())
+        for (const RowCell &cell : scene.row.cells)
+          sizes[0].push_back(cell.size);
+      else if (mesh.has_equal_cells())
+        {
+          std::vector<unsigned int> repetitions(dim,
+                                                mesh.n_cells_across() >>
+                                                  scene.n_halvings);
+          repetitions[0] = mesh.cells >> scene.n_halvings;
+          GridGenerator::subdivided_hyper_rectangle(
+            grid, repetitions, Point<dim>(), corner, colorize);
+          return;
+        }
+      else
+        {
+          sizes.assign(dim, mesh.cell_sizes_across());
+          sizes[0] = mesh.cell_sizes();
+        }
+      GridGenerator::subdivided_hyper_rectangle(
+        grid, sizes, Point<dim>(), corner, colorize);
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
-  Discretization<dim>::make_grid(const MeshParameters &mesh,
-                                 const unsigned int    n_halvings)
+  Discretization<dim>::make_grid(const SpatialScene &scene)
   {
-    std::vector<unsigned int> repetitions(dim,
-                                          mesh.n_cells_across() >> n_halvings);
-    repetitions[0]          = mesh.cells >> n_halvings;
     const Point<dim> corner = geometry_.corner();
-
-    const bool colorize = true;
-    if (row_.is_given())
-      {
-        std::vector<std::vector<double>> sizes(dim);
-        for (const RowCell &cell : row_.cells)
-          sizes[0].push_back(cell.size);
-        GridGenerator::subdivided_hyper_rectangle(
-          *triangulation, sizes, Point<dim>(), corner, colorize);
-        return;
-      }
-    if (mesh.grading == 1. && mesh.grading_across == 1.)
-      GridGenerator::subdivided_hyper_rectangle(
-        *triangulation, repetitions, Point<dim>(), corner, colorize);
+    if (!scene.obstacle_mass)
+      make_boxes(scene, corner, *triangulation);
     else
       {
-        std::vector<std::vector<double>> sizes(dim, mesh.cell_sizes_across());
-        sizes[0] = mesh.cell_sizes();
-        GridGenerator::subdivided_hyper_rectangle(
-          *triangulation, sizes, Point<dim>(), corner, colorize);
+        Triangulation<dim> body, obstacle;
+        make_boxes(scene, corner, body);
+        Point<dim> lower, upper(corner); // anywhere beside the body
+        lower[0] = 2. * corner[0];
+        upper[0] = 3. * corner[0];
+        GridGenerator::hyper_rectangle(obstacle, lower, upper);
+        GridGenerator::merge_triangulations(body, obstacle, *triangulation);
+        auto of_body = body.begin();
+        for (const auto &cell : triangulation->cell_iterators_on_level(0))
+          {
+            const bool is_of_body = of_body != body.end();
+            if (!is_of_body)
+              cell->set_material_id(obstacle_material);
+            for (const unsigned int face : cell->face_indices())
+              if (cell->face(face)->at_boundary())
+                cell->face(face)->set_boundary_id(
+                  is_of_body ? of_body->face(face)->boundary_id() :
+                               obstacle_boundary);
+            if (is_of_body)
+              ++of_body;
+          }
       }
-    triangulation->refine_global(mesh.refinements + n_halvings);
+    if (!scene.row.is_given())
+      triangulation->refine_global(scene.mesh.refinements + scene.n_halvings);
+  }
+
+
+
+  template <int dim>
+  void
+  Discretization<dim>::find_obstacle()
+  {
+    // a vertex of its first cell moves, all other nodes mean nothing
+    std::vector<types::global_dof_index> dofs(finite_element_.dofs_per_cell);
+    types::global_dof_index              place = 0; // and one more
+    of_obstacle.set_size(dof_handler_.n_dofs());
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      if (!cell->is_artificial() && is_gap(cell))
+        {
+          cell->get_dof_indices(dofs);
+          of_obstacle.add_indices(dofs.begin(), dofs.end());
+          if (cell->vertex(0).norm() <= 2. * geometry_.corner()[0])
+            place =
+              1 +
+              cell->vertex_dof_index(0, first_component(Field::displacement));
+        }
+    of_obstacle.compress();
+    obstacle_dof_ = Utilities::MPI::max(place, communicator_) - 1 -
+                    first_dof(Field::displacement);
   }
 
 
@@ -188,7 +262,8 @@ namespace ThermoContact
   template <int dim>
   AffineConstraints<double>
   Discretization<dim>::make_constraints(const ComponentMask &held,
-                                        const bool           has_pins) const
+                                        const bool           has_pins,
+                                        const bool holds_obstacle) const
   {
     AffineConstraints<double> constraints =
       make_unconstrained(owned_, relevant_);
@@ -222,6 +297,10 @@ namespace ThermoContact
       }
     if (has_pins)
       add_pins(constraints);
+    for (const types::global_dof_index dof : of_obstacle)
+      if (holds_obstacle ||
+          dof != obstacle_dof_ + first_dof(Field::displacement))
+        constraints.add_line(dof);
     constraints.close();
     return constraints;
   }
@@ -266,8 +345,9 @@ namespace ThermoContact
           if (constraints_.is_constrained(dof + first_dof(field)))
             {
               constrained_[field].add_index(dof);
-              constrained_entries_[field].push_back(
-                owned.index_within_set(dof));
+              if (!of_obstacle.is_element(dof + first_dof(field)))
+                constrained_entries_[field].push_back(
+                  owned.index_within_set(dof));
             }
         constrained_[field].compress();
       }
@@ -312,6 +392,29 @@ namespace ThermoContact
 
 
   template <int dim>
+  std::optional<unsigned int>
+  Discretization<dim>::obstacle_entry() const
+  {
+    const IndexSet &owned = owned_by_block_[Field::displacement];
+    if (of_obstacle.size() == 0 || !owned.is_element(obstacle_dof_))
+      return {};
+    return owned.index_within_set(obstacle_dof_);
+  }
+
+
+
+  template <int dim>
+  double
+  Discretization<dim>::obstacle_value(const Vector &vector) const
+  {
+    const auto entry = obstacle_entry();
+    return Utilities::MPI::sum(entry ? vector.begin()[*entry] : 0.,
+                               communicator_);
+  }
+
+
+
+  template <int dim>
   State
   Discretization<dim>::make_state() const
   {
@@ -330,16 +433,65 @@ namespace ThermoContact
 
 
   template <int dim>
+  RodCoefficients
+  Discretization<dim>::in_equations(const Cell       &cell,
+                                    const Point<dim> &place,
+                                    const double      theta) const
+  {
+    if (row_.is_given())
+      return row_.in_equations(cell->active_cell_index(), place[0], theta);
+    return profile ? of_material(cell, place) : one_everywhere;
+  }
+
+
+
+  template <int dim>
+  RodCoefficients
+  Discretization<dim>::of_material(const Cell       &cell,
+                                   const Point<dim> &place) const
+  {
+    if (row_.is_given())
+      return row_.of_rod(cell->active_cell_index(), place[0]);
+    if (!profile)
+      return one_everywhere;
+    // within the cell, so that jumps are on its faces
+    const Point<dim>      middle = cell->center();
+    std::array<double, 3> inside{};
+    for (unsigned int d = 0; d < dim; ++d)
+      inside[d] = place[d] + Tolerances::in_cell * (middle[d] - place[d]);
+    return profile->at(inside);
+  }
+
+
+
+  template <int dim>
+  bool
+  Discretization<dim>::coefficients_vary(const Cell &cell) const
+  {
+    return row_.is_given() ? row_.cells[cell->active_cell_index()].varies :
+                             profile && profile->varies();
+  }
+
+
+
+  template <int dim>
   void
   Discretization<dim>::set_zero_in_gaps(const Field::Block field,
                                         Vector            &vector) const
   {
-    if (dim > 1 || !row_.is_given() || !has_field(field))
+    if (!has_field(field))
+      return;
+    const IndexSet &owned = owned_by_block_[field];
+    for (const types::global_dof_index dof : of_obstacle)
+      if (dof >= first_dof(field) && dof - first_dof(field) < owned.size() &&
+          owned.is_element(dof - first_dof(field)))
+        vector.begin()[owned.index_within_set(dof - first_dof(field))] = 0.;
+    if (dim > 1 || !row_.is_given())
       return;
     const unsigned int                   first_inner = 2;
     std::vector<types::global_dof_index> dofs(finite_element_.dofs_per_cell);
     for (const auto &cell : dof_handler_.active_cell_iterators())
-      if (is_gap(cell->active_cell_index()))
+      if (is_gap(cell))
         {
           cell->get_dof_indices(dofs);
           for (unsigned int i = first_inner; i <= degree(); ++i)

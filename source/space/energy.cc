@@ -44,7 +44,7 @@ namespace ThermoContact
     if (!discretization.has_field(Field::temperature))
       return;
     set_steady_profile();
-    if (discretization.row().is_given())
+    if (discretization.has_bodies())
       {
         discretization.contact_end().get_values(Field::temperature,
                                                 steady_profile_,
@@ -274,7 +274,7 @@ namespace ThermoContact
             heat_product -= loads.outer_heat();
             rate += heat_scratch * heat_product;
           }
-        if (discretization.row().is_given())
+        if (discretization.has_bodies())
           rate += heat_scratch * unbalanced_heat;
         if (!heat.exchange->is_constant())
           rate +=

@@ -171,6 +171,7 @@ namespace ThermoContact
       , stiffness(n, n)
       , coupling(n, n)
       , viscous(n, n)
+      , extended(n, n)
       , scratch(n, n)
       , basis(n)
       , faces(scene, discretization)
@@ -182,8 +183,8 @@ namespace ThermoContact
     const unsigned int n;
     const UpdateFlags  flags =
       update_values | update_quadrature_points | update_JxW_values;
-    FEValues<dim>               mass_values, axial_values, values;
-    FullMatrix<double>          mass, stiffness, coupling, viscous, scratch;
+    FEValues<dim>      mass_values, axial_values, values;
+    FullMatrix<double> mass, stiffness, coupling, viscous, extended, scratch;
     std::vector<CellBasis<dim>> basis;
     FullMatrix<double>          extension; ///< to contact nodes; may be empty
     HeatExchangeFaces<dim>      faces;
@@ -215,7 +216,7 @@ namespace ThermoContact
     include(scene.fields.has_displacement, {momentum_mass, stiffness});
     include(scene.material.has_thermal_stress(), {divergence, thermal_stress});
     include(scene.has_elastic_contact_nodes || scene.left.is_any() ||
-              scene.right.is_any() || scene.row.is_given(),
+              scene.right.is_any() || discretization.has_bodies(),
             {viscous_stiffness});
     include(scene.lateral_exchange > 0., {lateral_exchange});
     if constexpr (dim == 1)
@@ -244,11 +245,33 @@ namespace ThermoContact
                                 &FieldMatrices::add_heat_exchange})
       for (const auto &cell :
            discretization.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
+        if (cell->is_locally_owned() && !discretization.is_gap(cell))
           (this->*add_part)(cell);
+    add_obstacle();
     for (SparseMatrix &matrix : matrices)
       if (matrix.m() > 0)
         matrix.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::add_obstacle()
+  {
+    const auto entry = discretization.obstacle_entry();
+    if (!entry)
+      return;
+    const types::global_dof_index at = discretization.obstacle_dof();
+    const double area = discretization.geometry().cross_section();
+    matrices[momentum_mass].add(
+      at, at, area * scene.obstacle_mass->mass / scene.material.inertia);
+    matrices[stiffness].add(at, at, area * scene.obstacle_mass->spring);
+    if (scene.obstacle_mass->dashpot > 0.)
+      matrices[viscous_stiffness].add(at,
+                                      at,
+                                      area * scene.obstacle_mass->dashpot /
+                                        scene.material.viscous_factor());
   }
 
 
@@ -268,7 +291,7 @@ namespace ThermoContact
     if (scene.right.is_any())
       carries.back() = true;
     for (unsigned int cell = 0; cell < layout.n_cells; ++cell)
-      if (discretization.is_gap(cell))
+      if (scene.row.is_given() && scene.row.cells[cell].is_gap)
         carries[cell] = true;
 
     // Cells with no part of their own have the same entries if they are as
@@ -284,7 +307,7 @@ namespace ThermoContact
         return true;
       last = is_plain ? size : 0.;
       rod_entries.assign(n_matrices * n * n, 0.);
-      if (!discretization.is_gap(number))
+      if (!discretization.is_gap(cell))
         {
           add_mass(cell);
           add_stiffness(cell);
@@ -374,26 +397,27 @@ namespace ThermoContact
 
   template <int dim>
   double
-  FieldMatrices<dim>::factor(const Kind kind, const unsigned int cell) const
+  FieldMatrices<dim>::factor(const Kind kind, const Cell &cell) const
   {
-    if (!scene.row.is_given() || scene.row.cells[cell].varies)
+    if (!discretization.has_bodies() || discretization.coefficients_vary(cell))
       return 1.; // within the integrals
-    const RodCoefficients &of_row = scene.row.cells[cell].whole;
+    const RodCoefficients whole =
+      discretization.in_equations(cell, cell->center());
     switch (kind)
       {
         case heat_mass:
-          return of_row.heat_mass;
+          return whole.heat_mass;
         case conduction:
-          return of_row.conduction;
+          return whole.conduction;
         case divergence:
         case thermal_stress:
-          return of_row.coupling;
+          return whole.coupling;
         case momentum_mass:
-          return of_row.inertia;
+          return whole.inertia;
         case stiffness:
-          return of_row.stiffness;
+          return whole.stiffness;
         case viscous_stiffness:
-          return of_row.viscosity;
+          return whole.viscosity;
         default:
           return 1.;
       }
@@ -448,7 +472,7 @@ namespace ThermoContact
     };
     const unsigned int right = 1, first_inner = 2; // nodes of a cell
     const unsigned int number = cell->active_cell_index();
-    if (!discretization.is_gap(number))
+    if (!discretization.is_gap(cell))
       return;
     // nodes within a gap stay at rest
     for (const Kind kind :
@@ -503,15 +527,13 @@ namespace ThermoContact
       scene.fields.has_displacement ?
                discretization.first_component(Field::displacement) :
                numbers::invalid_unsigned_int;
-    const unsigned int number    = cell->active_cell_index();
-    const auto         integrate = [&](const FEValues<dim> &values,
+    const bool varies    = discretization.coefficients_vary(cell);
+    const auto integrate = [&](const FEValues<dim> &values,
                                const auto          &is_wanted) {
       std::vector<RodCoefficients> at(values.n_quadrature_points);
-      const bool                   varies =
-        scene.row.is_given() && scene.row.cells[number].varies;
       for (const unsigned int q : values.quadrature_point_indices())
         if (varies)
-          at[q] = scene.row.of_rod(number, values.quadrature_point(q)[0]);
+          at[q] = discretization.of_material(cell, values.quadrature_point(q));
         else
           at[q].inertia = at[q].heat_mass = 1.;
       for (const unsigned int i : values.dof_indices())
@@ -522,7 +544,7 @@ namespace ThermoContact
               for (const unsigned int q : values.quadrature_point_indices())
                 by.mass(i, j) +=
                   (scene.fields.has_temperature && c == 0 ? at[q].heat_mass :
-                                                                    at[q].inertia) *
+                                                            at[q].inertia) *
                   values.shape_value(i, q) * values.shape_value(j, q) *
                   discretization.geometry().weight(values, q);
           }
@@ -531,7 +553,7 @@ namespace ThermoContact
       scene.has_midpoint_mass ||
       (scene.has_massless_nodes && touches_contact_end<dim>(cell));
     by.mass_values.reinit(cell);
-    if (!has_last_integrals(discretization, by.mass_values) ||
+    if (varies || !has_last_integrals(discretization, by.mass_values) ||
         has_axial_rule != by.had_axial_rule)
       {
         by.mass = 0.;
@@ -547,7 +569,7 @@ namespace ThermoContact
       }
     by.had_axial_rule = has_axial_rule;
     for (const Kind kind : {heat_mass, momentum_mass})
-      add(kind, cell, by.mass, factor(kind, number));
+      add(kind, cell, by.mass, factor(kind, cell));
   }
 
 
@@ -556,16 +578,15 @@ namespace ThermoContact
   void
   FieldMatrices<dim>::add_stiffness(const Cell &cell)
   {
-    Integrals         &by     = *integrals;
-    const unsigned int number = cell->active_cell_index();
-    const bool varies = scene.row.is_given() && scene.row.cells[number].varies;
-    const auto rod_at = [&](const Point<dim> &place) {
-      return scene.row.of_rod(number, place[0]);
+    Integrals &by          = *integrals;
+    const bool varies      = discretization.coefficients_vary(cell);
+    const auto material_at = [&](const Point<dim> &place) {
+      return discretization.of_material(cell, place);
     };
     WeightsAt<dim> weights; // 1, with factors of the cell
     if (varies)
-      weights = [&rod_at](const Point<dim> &place) -> ProductWeights {
-        const RodCoefficients at = rod_at(place);
+      weights = [&material_at](const Point<dim> &place) -> ProductWeights {
+        const RodCoefficients at = material_at(place);
         return {at.conduction, at.stiffness, at.coupling};
       };
     by.values.reinit(cell);
@@ -578,16 +599,17 @@ namespace ThermoContact
                          by.stiffness,
                          by.coupling);
     for (const Kind kind : {conduction, stiffness})
-      add(kind, cell, by.stiffness, factor(kind, number));
+      add(kind, cell, by.stiffness, factor(kind, cell));
     if (scene.material.has_thermal_stress())
       for (const Kind kind : {divergence, thermal_stress})
-        add(kind, cell, by.coupling, factor(kind, number));
+        add(kind, cell, by.coupling, factor(kind, cell));
     if (scene.material.has_dashpots && !scene.material.has_viscosity())
       return; // they are all that resists velocities
+    const FullMatrix<double> *resistance = &by.stiffness;
     if (varies)
       {
-        weights = [&rod_at](const Point<dim> &place) -> ProductWeights {
-          return {0., rod_at(place).viscosity, 0.};
+        weights = [&material_at](const Point<dim> &place) -> ProductWeights {
+          return {0., material_at(place).viscosity, 0.};
         };
         integrate_products(scene.material,
                            discretization,
@@ -596,22 +618,18 @@ namespace ThermoContact
                            by.basis,
                            by.viscous,
                            by.scratch);
-        add(viscous_stiffness, cell, by.viscous);
+        resistance = &by.viscous;
       }
-    else if (scene.has_elastic_contact_nodes && touches_contact_end<dim>(cell))
+    if (scene.has_elastic_contact_nodes && touches_contact_end<dim>(cell))
       {
-        by.viscous = 0.;
-        by.viscous.triple_product(by.stiffness,
-                                  by.extension,
-                                  by.extension,
-                                  true);
-        add(viscous_stiffness, cell, by.viscous);
+        by.extended = 0.;
+        by.extended.triple_product(*resistance,
+                                   by.extension,
+                                   by.extension,
+                                   true);
+        resistance = &by.extended;
       }
-    else
-      add(viscous_stiffness,
-          cell,
-          by.stiffness,
-          factor(viscous_stiffness, number));
+    add(viscous_stiffness, cell, *resistance, factor(viscous_stiffness, cell));
   }
 
 
@@ -623,7 +641,7 @@ namespace ThermoContact
     integrals->faces.visit(
       cell, [&](const CellMatrix &exchange, const bool is_lateral) {
         // the end of a gap is that of a mass
-        if (is_lateral && discretization.is_gap(cell->active_cell_index()))
+        if (is_lateral && discretization.is_gap(cell))
           return;
         FullMatrix<double> &cell_matrix = integrals->scratch;
         cell_matrix                     = 0.;

@@ -240,7 +240,8 @@ namespace ThermoContact
           rows[lexicographic[i]] = fe.component_to_system_index(c, i);
         for (const auto &cell :
              discretization.dof_handler().active_cell_iterators())
-          if (cell->is_locally_owned())
+          if (cell->is_locally_owned() &&
+              !(dim > 1 && discretization.is_gap(cell)))
             {
               const Point<dim> &lower = cell->vertex(0);
               const Point<dim> &upper =

@@ -323,12 +323,17 @@ namespace ThermoContact
                const ProblemData<dim>   &data,
                std::vector<std::string> &warnings)
   {
-    const TimeParameters &time = scene.parameters.time;
-    LoadHistory           history;
+    const TimeParameters    &time = scene.parameters.time;
+    LoadHistory              history;
+    std::vector<std::string> doubts;
+    if (scene.profile)
+      doubts = scene.profile->doubts();
     for (const RowBody &body : scene.row.bodies)
       if (body.profile)
         for (const std::string &doubt : body.profile->doubts())
-          warnings.push_back(doubt);
+          doubts.push_back(doubt);
+    for (const std::string &doubt : doubts)
+      warnings.push_back(doubt);
     const std::vector<Load> loads = loads_in_time<dim>(scene, data);
     for (const Load &load : loads)
       for (const std::string &doubt : load.expression().doubts_of_tables())

@@ -29,6 +29,7 @@ namespace ThermoContact
     , data(data)
     , exchange_coefficient(scene.heat.linear_coefficient())
     , inertia(scene.material.inertia)
+    , obstacle_mass(scene.obstacle_mass ? scene.obstacle_mass->mass : 0.)
     , has_laws(scene.sources.has_laws)
     , fe_values(discretization.mapping(),
                 discretization.finite_element(),
@@ -61,8 +62,7 @@ namespace ThermoContact
     if (scene.heat.has_lateral_exchange())
       for (const auto &cell :
            discretization.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned() &&
-            !discretization.is_gap(cell->active_cell_index()))
+        if (cell->is_locally_owned() && !discretization.is_gap(cell))
           faces.visit(cell,
                       [&](const CellMatrix &exchange, const bool is_lateral) {
                         cell_load = 0.;
@@ -91,6 +91,11 @@ namespace ThermoContact
       return;
 
     data.set_time(time);
+    if (const auto entry = discretization.obstacle_entry();
+        entry && data.body_force)
+      momentum.begin()[*entry] =
+        discretization.geometry().cross_section() * obstacle_mass / inertia *
+        data.body_force->value(discretization.geometry().on_axis(1.));
     if (data.heat_source || data.body_force || data.end_heat_flux ||
         data.left_heat_flux || data.left_traction || data.obstacle_warming ||
         (data.end_traction && discretization.row().is_given()))
@@ -113,7 +118,16 @@ namespace ThermoContact
   void
   Loads<dim>::add_end_traction(Vector &momentum) const
   {
-    if (data.end_traction && !discretization.row().is_given())
+    if (!data.end_traction || discretization.row().is_given())
+      return;
+    if (obstacle_mass > 0.)
+      {
+        if (const auto entry = discretization.obstacle_entry())
+          momentum.begin()[*entry] +=
+            discretization.geometry().cross_section() *
+            data.end_traction->value(discretization.geometry().on_axis(1.));
+      }
+    else
       for (const auto &[node, entry] :
            discretization.contact_end().entries(Field::displacement))
         {
@@ -267,16 +281,13 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const BodyRow     &row    = discretization.row();
-          const unsigned int number = cell->active_cell_index();
-          const auto         factor = [&](double RodCoefficients::*const part) {
-            return [&row, number, part](const Point<dim> &place) {
-              return row.is_given() ? row.in_equations(number, place[0]).*part :
-                                              1.;
+          const auto factor = [&](double RodCoefficients::*const part) {
+            return [this, &cell, part](const Point<dim> &place) {
+              return discretization.in_equations(cell, place).*part;
             };
           };
           cell_load = 0.;
-          if (discretization.is_gap(number))
+          if (discretization.is_gap(cell))
             add_force_on_mass(cell);
           else
             {
@@ -304,6 +315,8 @@ namespace ThermoContact
     const typename DoFHandler<dim>::active_cell_iterator &cell)
   {
     const unsigned int right = 1;
+    if (dim > 1)
+      return; // of an obstacle, which is no part of the mesh
     if (data.body_force && inertia > 0.)
       for (const RowMass &mass : discretization.row().masses)
         if (mass.vertex == cell->active_cell_index() + 1)

@@ -204,7 +204,7 @@ namespace ThermoContact
          body.contact_end().entries(Field::displacement))
       if (const double place =
             touching_displacement(body, laws[node], state.gap[node]);
-          body.contact_end().nodes()[node].meets_body())
+          body.contact_end().nodes()[node].has_partner(Field::displacement))
         body.contact_end().add_to_value(Field::displacement,
                                         node,
                                         0. - position[node],

@@ -18,7 +18,7 @@ namespace ThermoContact
     if (!scene.sources.has_moving_obstacle)
       return;
     for (const ContactNode<dim> &node : end.nodes())
-      if (node.meets_body())
+      if (node.has_partner(Field::displacement))
         {
           gaps_of_bodies.push_back(TimeDerivatives(node.gap));
           continue;

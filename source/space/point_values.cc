@@ -27,8 +27,7 @@ namespace ThermoContact
     std::vector<std::pair<double, double>> intervals;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          !discretization.is_gap(cell->active_cell_index()))
+      if (cell->is_locally_owned() && !discretization.is_gap(cell))
         if (const auto box = cell->bounding_box();
             box.point_inside(on_axis(box.center()[0]), Tolerances::in_cell))
           intervals.emplace_back(box.lower_bound(0), box.upper_bound(0));
@@ -122,7 +121,7 @@ namespace ThermoContact
         {
           const auto         box    = cell->bounding_box();
           const unsigned int number = cell->active_cell_index();
-          if (discretization.is_gap(number) ||
+          if (discretization.is_gap(cell) ||
               !box.point_inside(places[place].cell_point, Tolerances::in_cell))
             continue;
           const Point<dim> &position = places[place].position;
@@ -199,8 +198,7 @@ namespace ThermoContact
     std::vector<Share> shares;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          !discretization.is_gap(cell->active_cell_index()))
+      if (cell->is_locally_owned() && !discretization.is_gap(cell))
         {
           const auto   box   = cell->bounding_box();
           const double slack = 2. * Tolerances::in_cell * box.side_length(0);
@@ -255,13 +253,10 @@ namespace ThermoContact
                value;
     };
 
-    const BodyRow        &row    = discretization.row();
-    const bool            is_row = row.is_given();
-    const unsigned int    number = cell->active_cell_index();
+    const bool            has_bodies = discretization.has_bodies();
     const RodCoefficients in_equations =
-      is_row ? row.in_equations(number, position[0]) : RodCoefficients();
-    const double section =
-      is_row ? row.of_rod(number, position[0]).section : 1.;
+      discretization.in_equations(cell, position);
+    const double section = discretization.of_material(cell, position).section;
     for (unsigned int i = 0; i < dofs.size(); ++i)
       {
         const auto [component, shape] = fe.system_to_component_index(i);
@@ -269,7 +264,7 @@ namespace ThermoContact
           {
             const double value = rounded(base.shape_value(shape, unit_point));
             add(temperature_form, dofs[i], value);
-            if (is_row)
+            if (has_bodies)
               add(thermal_form,
                   dofs[i],
                   value * in_equations.coupling / section);
@@ -294,8 +289,8 @@ namespace ThermoContact
           0);
         add(strain_form,
             dofs[i] - offset,
-            is_row ? stress * in_equations.stiffness / section : stress);
-        if (is_row)
+            stress * in_equations.stiffness / section);
+        if (has_bodies)
           add(viscous_form,
               dofs[i] - offset,
               stress * in_equations.viscosity / section);
@@ -330,15 +325,15 @@ namespace ThermoContact
     const Vector &v = shown_velocity(scene, state, velocity_memory);
     add_values(displacement_form, v, 1., velocity);
     add_values(strain_form, state.displacement, 1., stress);
-    const Material &material = scene.material;
-    const bool      is_row   = discretization.row().is_given();
+    const Material &material   = scene.material;
+    const bool      has_bodies = discretization.has_bodies();
     if (material.has_viscosity())
-      add_values(is_row ? viscous_form : strain_form,
+      add_values(has_bodies ? viscous_form : strain_form,
                  v,
                  material.viscosity,
                  stress);
     if (material.has_thermal_stress())
-      add_values(is_row ? thermal_form : temperature_form,
+      add_values(has_bodies ? thermal_form : temperature_form,
                  state.temperature,
                  -material.thermal_stress,
                  stress);

@@ -11,7 +11,7 @@ namespace ThermoContact
   {
     Vector     &profile      = steady_profile_;
     const auto &nodal_values = discretization.nodal_values(Field::temperature);
-    if (discretization.row().is_given())
+    if (discretization.has_bodies())
       {
         // the rest does work; the last body has a given temperature
         profile = heat.fixed_end_temperature;

@@ -24,7 +24,8 @@ namespace ThermoContact
   Surroundings<dim>::temperature(const unsigned int node,
                                  const double       time) const
   {
-    return of_time.empty() || end.nodes()[node].meets_body() ?
+    return of_time.empty() ||
+               end.nodes()[node].has_partner(Field::temperature) ?
              reference(node) :
              of_time[node].value(time);
   }

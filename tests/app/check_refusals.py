@@ -7,6 +7,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 from program import run, settings  # noqa: E402
+from refused_bodies import SCENES as BODY_SCENES  # noqa: E402
 from refused_contact import SCENES as CONTACT_SCENES  # noqa: E402
 from refused_rows import SCENES as ROW_SCENES  # noqa: E402
 from refused_scenes import check_all, unmet_refusals  # noqa: E402
@@ -479,7 +480,7 @@ def has_value(message, scene, entry):
 
 def main():
     asked = []
-    for entry, shared, refused, *accepted in SCENES + CONTACT_SCENES + ROW_SCENES:
+    for entry, shared, refused, *accepted in SCENES + CONTACT_SCENES + BODY_SCENES + ROW_SCENES:
         asked.append((entry, shared + overrides(refused), 2))
         asked += [(entry, shared + overrides(neighbour), 0)
                   for neighbour in accepted]

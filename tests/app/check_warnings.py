@@ -116,6 +116,10 @@ START = [
      ["Contact/Gap = -0.02: negative, the undeformed body overlaps the obstacle "
       "(preload), end displacement 0, initial pressure 2"]),
     (SOFT + ("Contact/Gap=0",), []),
+    # jumps of a material along the faces of cells, and across them
+    *[(SOFT + ("Dimension=2", f"Bodies/a/Stiffness=if(y<0.05+{slope}*x,2,1)"), doubts) for slope, doubts in (
+        (0, []), (0.01, ["Bodies/a/Stiffness = if(y<0.05+0.01*x,2,1): jumps where cells have no face, so that errors "
+                         "shrink with their size alone"]))],
     # a node of mass b h/20 on the spring 1/1e-8: 2 pi (1e-8/160)^(1/2)
     (SOFT + OSCILLATING + ("Contact/Compliance=1e-8", "Contact/Massless nodes=off"),
      ["Contact/Massless nodes = off: contact nodes with mass bounce on an obstacle so "

@@ -27,7 +27,6 @@ RESTITUTION = "Contact/Restitution"
 BALLS = MOVING + FREE + mass("a") + mass("b") + ALONE
 
 SCENES = [
-    ("Dimension", TWO, "Dimension=2", "Dimension=1"),
     ("Mesh/Grading", TWO + SDIRK, "Mesh/Grading=2", "Mesh/Grading=1"),
     ("Solver/Step solver", TWO + FIXED + ("Time/Scheme=backward euler",), "Solver/Step solver=fixed point",
      "Solver/Step solver=monolithic"),

@@ -203,8 +203,20 @@ namespace ThermoContact
     unsigned int cells_across   = 4; ///< 0: by the width, n_cells_across()
     double       grading_across = 1.;
 
+    /** Where cells have to end, along and across the body, before its end;
+     * those of a Scene, where its materials jump. */
+    std::array<std::vector<double>, 2> planes;
+
     void
     add_parameters(ParameterHandler &prm);
+
+    /** All cells are as large. */
+    bool
+    has_equal_cells() const
+    {
+      return grading == 1. && grading_across == 1. && planes[0].empty() &&
+             planes[1].empty();
+    }
 
     /**
      * How often the cells of a body in 2-D or 3-D can be joined by two in every
@@ -235,7 +247,8 @@ namespace ThermoContact
 
     /**
      * Lengths of the cells along the rod before the refinements, in geometric
-     * progression.
+     * progression, or between planes, which have to be fewer than cells, nearly
+     * the same.
      */
     std::vector<double>
     cell_sizes() const;
@@ -448,6 +461,27 @@ namespace ThermoContact
     ScalesParameters        scales;
     RodParameters           rod;
     StudyParameters         study;
+
+    /** Section Bodies has a row of bodies: in one dimension. */
+    bool
+    has_row() const
+    {
+      return dimension == 1 && row.is_given();
+    }
+
+    /** Section Bodies has the material of the body: in several dimensions. */
+    bool
+    has_material() const
+    {
+      return dimension > 1 && row.is_given();
+    }
+
+    /** The mass that is the obstacle of such a body; null: there is none. */
+    const BodyParameters *
+    obstacle_mass() const
+    {
+      return has_material() && row.bodies.size() > 1 ? &row.bodies[1] : nullptr;
+    }
 
     /** The laws with numbers of their own that the scene has. */
     std::vector<const OwnLaw *>

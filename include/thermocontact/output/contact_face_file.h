@@ -30,12 +30,14 @@ namespace ThermoContact
    *
    * @param gap of an obstacle that moves, at the time of the file; else the
    *   gaps are those of the nodes
+   * @param moved displacement of an obstacle that has a mass
    */
   template <int dim>
   VtuCells<dim - 1, dim>
   obstacle_shape(const Body<dim>             &body,
                  const OutputUnits           &units,
-                 const dealii::Function<dim> *gap = nullptr);
+                 const dealii::Function<dim> *gap   = nullptr,
+                 const double                 moved = 0.);
 } // namespace ThermoContact
 
 #endif

@@ -5,25 +5,13 @@
 
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/scene/material_coefficients.h>
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace ThermoContact
 {
-  /** Factors of the terms of the equations in a rod of a row, (M10.1), with
-   * the section A of the rod. */
-  struct RodCoefficients
-  {
-    double section = 0., heat_mass = 0., conduction = 0., coupling = 0.,
-           inertia = 0., stiffness = 0., viscosity = 0.;
-  };
-
-  bool
-  operator==(const RodCoefficients &one, const RodCoefficients &other);
-
   /** Coefficients with their derivatives in the temperature. */
   struct RodTangents
   {
@@ -111,44 +99,13 @@ namespace ThermoContact
     operator==(const RodProfile &other) const;
 
   private:
-    enum Name
-    {
-      section,
-      stiffness,
-      density,
-      viscosity,
-      coupling,
-      conductivity,
-      heat_capacity,
-      n_coefficients
-    };
+    double               length;
+    double               inertia; ///< $b$
+    MaterialCoefficients all;     ///< of theta and, where loads have t, of x
+    std::vector<double>  ends;    ///< of the parts, with 0
 
-    /** A number, or else an expression of theta and, where loads have t, of
-     * x. */
-    struct Coefficient
-    {
-      double                    number = 1.;
-      std::optional<Expression> expression;
-      double                    length = 1.; ///< of the rod
-
-      /** @throw InputError if the value is not allowed */
-      template <typename Number = double>
-      Number
-      at(const double x, const Number &theta = Number(0.)) const;
-
-      bool may_be_zero     = false;
-      bool may_be_negative = false;
-    };
-
-    double                   length;
-    double                   inertia; ///< $b$
-    std::vector<Coefficient> all;
-    std::vector<double>      ends; ///< of the parts, with 0
-
-    /** The members of RodCoefficients in their order. */
-    template <typename Number>
-    std::array<Number, 7>
-    terms(const double x, const Number &theta) const;
+    double
+    value(const MaterialCoefficients::Name name, const double x) const;
 
     /** $\sqrt{b\rho/E}$ */
     double
@@ -176,7 +133,7 @@ namespace ThermoContact
 
     /** Adds jumps of a coefficient, or kinks, too, to the ends of parts. */
     void
-    find_breaks(const Coefficient &coefficient, const bool takes_kinks);
+    find_breaks(const Expression &coefficient, const bool takes_kinks);
   };
 } // namespace ThermoContact
 

@@ -11,12 +11,14 @@
 #include <thermocontact/method/body_geometry.h>
 #include <thermocontact/method/rest_profile.h>
 #include <thermocontact/method/scheme.h>
+#include <thermocontact/scene/body_profile.h>
 #include <thermocontact/scene/row.h>
 #include <thermocontact/scene/scheme_choice.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace ThermoContact
@@ -396,6 +398,26 @@ namespace ThermoContact
 
 
 
+  /**
+   * A rigid mass that is the obstacle of a body in several dimensions,
+   * (M10.10); per area of the contact end, as a pressure.
+   */
+  struct ObstacleMass
+  {
+    double mass;
+    double spring, dashpot; ///< that hold it from behind
+    double velocity;        ///< at the start
+  };
+
+  inline bool
+  operator==(const ObstacleMass &one, const ObstacleMass &other)
+  {
+    return one.mass == other.mass && one.spring == other.spring &&
+           one.dashpot == other.dashpot && one.velocity == other.velocity;
+  }
+
+
+
   /** How the linear systems of stages are solved. */
   struct LinearSolver
   {
@@ -476,8 +498,15 @@ namespace ThermoContact
     /** For files and words: as written, but for those. */
     const Parameters &parameters = scheme_choice.parameters;
 
-    const SceneFields                         fields;
-    const BodyRow                             row; ///< of bodies, or empty
+    const SceneFields fields;
+    const BodyRow     row; ///< of bodies, or empty
+
+    /** The material of a body in several dimensions, if it is given. */
+    const std::optional<BodyProfile> profile;
+
+    /** The obstacle, if it moves by itself; with a displacement. */
+    const std::optional<ObstacleMass> obstacle_mass;
+
     const std::unique_ptr<const BodyGeometry> geometry;
     const Material                            material;
 
@@ -531,6 +560,13 @@ namespace ThermoContact
              !geometry->has_axis_at_side() && !material.has_inertia();
     }
 
+    /** Section Bodies is given: coefficients are factors of (M10.1). */
+    bool
+    has_bodies() const
+    {
+      return row.is_given() || profile;
+    }
+
     /** Of both fields, held ones among them. */
     double
     n_unknowns() const
@@ -548,7 +584,7 @@ namespace ThermoContact
     has_work() const
     {
       return sources.any() || material.is_driven_by_heat() ||
-             (row.is_given() && fields.has_temperature) ||
+             (has_bodies() && fields.has_temperature) ||
              (!heat.exchange->is_constant() && heat.temperature_range() > 0.);
     }
 

@@ -42,6 +42,8 @@ namespace ThermoContact
     double left_exchange; ///< $k_A$ of the end $x=0$
     BoundaryParameters::Attached left, right;
     BodyRow                      row;
+    std::optional<BodyProfile>   profile;
+    std::optional<ObstacleMass>  obstacle_mass;
     double                       gap; ///< $g$ of all nodes; 0 with a shape
     std::optional<Expression>    gap_expression; ///< of a shape or a motion
 

@@ -76,6 +76,9 @@ namespace ThermoContact
     double moment_y = 0.;
     double moment_z = 0.;
 
+    double obstacle_displacement = 0.; ///< of one that has a mass
+    double obstacle_velocity     = 0.;
+
     EnergyTerms energy_terms; ///< the terms of energy; not in the file
 
     std::vector<ContactRecord> contacts;   ///< of a row of bodies; likewise
@@ -136,6 +139,13 @@ namespace ThermoContact
       column("lateral_dissipation",
              &R::lateral_dissipation,
              has_lateral_exchange);
+      const auto has_obstacle_mass = [](const Scene &scene) {
+        return scene.obstacle_mass.has_value();
+      };
+      column("obstacle_displacement",
+             &R::obstacle_displacement,
+             has_obstacle_mass);
+      column("obstacle_velocity", &R::obstacle_velocity, has_obstacle_mass);
     }
 
     template <class Archive>

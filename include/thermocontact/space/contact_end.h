@@ -47,18 +47,18 @@ namespace ThermoContact
     double own_exchange = 0.;
 
     /**
-     * The node of the neighbour in a row that this one can meet, and what it
-     * has: values of such a node are those relative to the partner, and loads
-     * act on both, (M10.2). Invalid: it can meet the obstacle.
+     * What moves by itself and this node can meet, the neighbour in a row or
+     * an obstacle that has a mass: values of the field at the node are those
+     * relative to the partner, and loads act on both, (M10.2). Invalid: it can
+     * meet an obstacle whose values are given.
      */
     std::array<types::global_dof_index, 2> partner{
       {numbers::invalid_dof_index, numbers::invalid_dof_index}};
 
     bool
-    meets_body() const
+    has_partner(const Field::Block field) const
     {
-      return partner[0] != numbers::invalid_dof_index ||
-             partner[1] != numbers::invalid_dof_index;
+      return partner[field] != numbers::invalid_dof_index;
     }
   };
 

@@ -21,6 +21,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ThermoContact
@@ -145,7 +146,7 @@ namespace ThermoContact
     AffineConstraints<double>
     clamped_constraints() const
     {
-      return make_constraints(ComponentMask(n_components(), true), false);
+      return make_constraints(ComponentMask(n_components(), true), false, true);
     }
 
     /** Locally owned indices of the whole system. */
@@ -200,6 +201,30 @@ namespace ThermoContact
       return row_;
     }
 
+    using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+    /** Section Bodies is given: terms have factors, (M10.1). */
+    bool
+    has_bodies() const
+    {
+      return row_.is_given() || profile;
+    }
+
+    /** The factors of the terms of the equations at a place of a cell. */
+    RodCoefficients
+    in_equations(const Cell       &cell,
+                 const Point<dim> &place,
+                 const double      theta = 0.) const;
+
+    /** The same of the material there at $\theta=0$, where the cell of a rod
+     * has means, (M10.7). */
+    RodCoefficients
+    of_material(const Cell &cell, const Point<dim> &place) const;
+
+    /** False: in_equations() are the same in all of the cell. */
+    bool
+    coefficients_vary(const Cell &cell) const;
+
     /** $k$ of the contact end if it is a number, else 0. */
     double
     exchange_coefficient() const
@@ -207,12 +232,37 @@ namespace ThermoContact
       return exchange_coefficient_;
     }
 
-    /** True for a cell between two bodies of a row. */
+    /** True for a cell that is no part of a body: between two bodies of a row,
+     * or of an obstacle that has a mass. */
     bool
-    is_gap(const unsigned int cell) const
+    is_gap(const Cell &cell) const
     {
-      return row_.is_given() && row_.cells[cell].is_gap;
+      return row_.is_given() ? row_.cells[cell->active_cell_index()].is_gap :
+                               cell->material_id() == obstacle_material;
     }
+
+    /** Whether a node is a part of the body, not of such an obstacle. */
+    bool
+    is_in_body(const Point<dim> &node) const
+    {
+      return of_obstacle.size() == 0 || node[0] < 1.5 * geometry_.corner()[0];
+    }
+
+    /** The place of an obstacle that has a mass, within displacements; invalid:
+     * there is none. */
+    types::global_dof_index
+    obstacle_dof() const
+    {
+      return obstacle_dof_;
+    }
+
+    /** The same in the local part of a vector, of the rank that owns it. */
+    std::optional<unsigned int>
+    obstacle_entry() const;
+
+    /** Its value in a displacement or velocity, on all ranks. */
+    double
+    obstacle_value(const Vector &vector) const;
 
     /** The place in a vector of a field of the node at the right end of a rod.
      */
@@ -222,7 +272,7 @@ namespace ThermoContact
       return owned_by_block_[field].n_elements() - degree();
     }
 
-    /** The nodes within the gaps of a row, which mean nothing, become zero. */
+    /** Nodes in gaps, which mean nothing, become zero. */
     void
     set_zero_in_gaps(State &state) const;
 
@@ -368,15 +418,25 @@ namespace ThermoContact
 
     const std::array<bool, 2> is_held_left_, is_held_right_; ///< of a rod
 
-    const BodyRow row_;
-    const double  exchange_coefficient_;
+    const BodyRow                    row_;
+    const std::optional<BodyProfile> profile;
 
-    /**
-     * @param n_halvings how many of the refinements make the cells of the scene
-     *   from larger ones
-     */
+    /** Of the cell of an obstacle that has a mass, and its faces; those of boxes
+     * are small numbers. */
+    static constexpr types::material_id obstacle_material = 100;
+    static constexpr types::boundary_id obstacle_boundary = 100;
+
+    types::global_dof_index obstacle_dof_ = numbers::invalid_dof_index;
+
+    IndexSet     of_obstacle; ///< all indices of its cell; empty: there is none
+    const double exchange_coefficient_;
+
     void
-    make_grid(const MeshParameters &mesh, const unsigned int n_halvings);
+    make_grid(const SpatialScene &scene);
+
+    /** The nodes of an obstacle that has a mass, one of which is its place. */
+    void
+    find_obstacle();
 
     void
     distribute_dofs(const SceneFields &fields);
@@ -391,7 +451,9 @@ namespace ThermoContact
 
     /** @param held components of the end $x=0$ */
     AffineConstraints<double>
-    make_constraints(const ComponentMask &held, const bool has_pins) const;
+    make_constraints(const ComponentMask &held,
+                     const bool           has_pins,
+                     const bool           holds_obstacle) const;
 
     /** Holds across the axis what is left of a body that nothing holds. */
     void

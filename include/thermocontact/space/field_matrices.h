@@ -100,6 +100,10 @@ namespace ThermoContact
     void
     make_rod();
 
+    /** Mass, spring and dashpot of an obstacle that moves by itself. */
+    void
+    add_obstacle();
+
     // The parts of a cell.
 
     /** Adds a factor times the matrix of a cell, in all of its degrees of
@@ -112,7 +116,7 @@ namespace ThermoContact
 
     /** The factor of a coefficient in a cell of a row, (M10.1); else 1. */
     double
-    factor(const Kind kind, const unsigned int cell) const;
+    factor(const Kind kind, const Cell &cell) const;
 
     void
     add_mass(const Cell &cell);

@@ -75,6 +75,7 @@ namespace ThermoContact
     ProblemData<dim>          &data;
     const double               exchange_coefficient; ///< if it is a number
     const double               inertia;              ///< $b$
+    const double               obstacle_mass;        ///< 0: it has none
     const bool                 has_laws;             ///< SceneSources::has_laws
     FEValues<dim>              fe_values;
     FEFaceValues<dim>          face_values;

@@ -40,7 +40,9 @@ namespace ThermoContact
     double
     reference(const unsigned int node) const
     {
-      return end.nodes()[node].meets_body() ? 0. : heat.obstacle_temperature;
+      return end.nodes()[node].has_partner(Field::temperature) ?
+               0. :
+               heat.obstacle_temperature;
     }
 
     /**

@@ -113,15 +113,22 @@ namespace ThermoContact
 
 
 
-  /** K of a body without inertia: $(\zeta+1)S$, of a viscous rod, whose parts
-   * may differ, $\zeta S_\zeta$. */
+  /** A viscous body without inertia has $K=\zeta S_\zeta$: a rod, or one whose
+   * viscosity is its own; others $(\zeta+1)S$. */
+  template <int dim>
+  bool
+  moves_by_viscosity(const Body<dim> &body)
+  {
+    return body.scene.material.has_viscosity() &&
+           (dim == 1 || body.scene.has_bodies());
+  }
+
+  /** K of a body without inertia. */
   template <int dim>
   const SystemCoefficients &
   motion_without_inertia(const Body<dim> &body)
   {
-    return dim == 1 && body.scene.material.has_viscosity() ?
-             motion_by_viscosity :
-             motion_by_stiffness;
+    return moves_by_viscosity(body) ? motion_by_viscosity : motion_by_stiffness;
   }
 
   /** Of a viscous body: its velocity over the solution y with that K. */
@@ -130,7 +137,7 @@ namespace ThermoContact
   velocity_factor(const Body<dim> &body)
   {
     const double viscosity = body.scene.material.viscosity;
-    return dim == 1 ? 1. : (viscosity + 1.) / viscosity;
+    return moves_by_viscosity(body) ? 1. : (viscosity + 1.) / viscosity;
   }
 } // namespace ThermoContact
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_scene_material_coefficients_h
+#define thermocontact_scene_material_coefficients_h
+
+#include <thermocontact/input/expression.h>
+#include <thermocontact/input/parameters.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ThermoContact
+{
+  /** Factors of the terms of the equations in a body of section Bodies,
+   * (M10.1), with the section A of a rod, which is 1 in two and three
+   * dimensions. */
+  struct RodCoefficients
+  {
+    double section = 0., heat_mass = 0., conduction = 0., coupling = 0.,
+           inertia = 0., stiffness = 0., viscosity = 0.;
+  };
+
+  bool
+  operator==(const RodCoefficients &one, const RodCoefficients &other);
+
+
+
+  /** The coefficients of a body, numbers or expressions of its places. */
+  class MaterialCoefficients
+  {
+  public:
+    enum Name
+    {
+      section,
+      stiffness,
+      density,
+      viscosity,
+      coupling,
+      conductivity,
+      heat_capacity,
+      n_names
+    };
+
+    /** Of the variables of an expression. */
+    template <typename Number>
+    using Variables = std::array<Number, 4>;
+
+    /**
+     * @param variables names that expressions of coefficients may have; "" for
+     *   a variable without a name
+     * @throw InputError if an expression cannot be read
+     */
+    MaterialCoefficients(const Parameters                 &parameters,
+                         const BodyParameters             &body,
+                         const std::array<std::string, 4> &variables);
+
+    /** False: all of them are numbers. */
+    bool
+    vary() const;
+
+    /** Those that are. */
+    std::vector<const Expression *>
+    expressions() const;
+
+    /** Entries of those that are not 1, with their values. */
+    std::vector<std::pair<std::string, std::string>>
+    own_entries() const;
+
+    bool
+    is_number(const Name name) const
+    {
+      return !all[name].expression;
+    }
+
+    /** @throw InputError if the value is not allowed */
+    template <typename Number>
+    Number
+    at(const Name name, const Variables<Number> &variables) const;
+
+    /** The members of RodCoefficients in their order; throws likewise. */
+    template <typename Number>
+    std::array<Number, 7>
+    terms(const Variables<Number> &variables) const;
+
+    /** terms() of numbers. */
+    RodCoefficients
+    in_equations(const Variables<double> &variables) const;
+
+    /** Whether they are the same numbers and expressions. */
+    bool
+    operator==(const MaterialCoefficients &other) const;
+
+  private:
+    struct Coefficient
+    {
+      std::string               entry;
+      double                    number = 1.;
+      std::optional<Expression> expression;
+      bool                      may_be_zero     = false;
+      bool                      may_be_negative = false;
+    };
+
+    std::array<std::string, 4>       variable_names;
+    double                           length; ///< of the body
+    bool                             is_rod;
+    std::array<Coefficient, n_names> all;
+
+    /** The place that variables are, for messages: " at 30 % of the rod". */
+    template <typename Number>
+    std::string
+    place_in_words(const Coefficient       &one,
+                   const Variables<Number> &variables) const;
+  };
+} // namespace ThermoContact
+
+#endif

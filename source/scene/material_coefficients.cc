@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
+#include <thermocontact/scene/material_coefficients.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace ThermoContact
+{
+  namespace
+  {
+    auto
+    parts_of(const RodCoefficients &coefficients)
+    {
+      const auto &[a, b, c, d, e, f, g] = coefficients;
+      return std::tie(a, b, c, d, e, f, g);
+    }
+
+
+
+    double
+    plain_value(const double number)
+    {
+      return number;
+    }
+
+    double
+    plain_value(const NumberJet &jet)
+    {
+      return jet.value;
+    }
+  } // namespace
+
+
+
+  bool
+  operator==(const RodCoefficients &one, const RodCoefficients &other)
+  {
+    return parts_of(one) == parts_of(other);
+  }
+
+
+
+  MaterialCoefficients::MaterialCoefficients(
+    const Parameters                 &parameters,
+    const BodyParameters             &body,
+    const std::array<std::string, 4> &variables)
+    : variable_names(variables)
+    , length(body.length)
+    , is_rod(parameters.dimension == 1)
+  {
+    if (parameters.dimension < 3)
+      std::replace(variable_names.begin(),
+                   variable_names.end(),
+                   std::string("z"),
+                   std::string());
+    const auto set = [&](const Name            name,
+                         const char           *entry,
+                         const RodCoefficient &given) {
+      all[name].number = given.value;
+      all[name].entry  = entry;
+      if (given.expression.empty())
+        return;
+      const std::string path  = "Bodies/" + body.name + "/" + entry;
+      ExpressionNames   names = parameters.names(path);
+      const auto known = entry_of_program(path).variables(parameters.dimension);
+      names.variables.assign(variables.begin(), variables.end());
+      for (std::string &variable : names.variables)
+        if (std::find(known.begin(), known.end(), variable) == known.end())
+          variable = "";
+      names.checks_values = false; // where the body need not be
+      all[name].expression.emplace(path, given.expression, names);
+    };
+    set(section, "Section", body.section);
+    set(stiffness, "Stiffness", body.stiffness);
+    set(density, "Density", body.density);
+    set(viscosity, "Viscosity", body.viscosity);
+    set(coupling, "Coupling", body.coupling);
+    set(conductivity, "Conductivity", body.conductivity);
+    set(heat_capacity, "Heat capacity", body.heat_capacity);
+    all[viscosity].may_be_zero = true;
+    all[coupling].may_be_zero = all[coupling].may_be_negative = true;
+  }
+
+
+
+  bool
+  MaterialCoefficients::vary() const
+  {
+    return !expressions().empty();
+  }
+
+
+
+  std::vector<const Expression *>
+  MaterialCoefficients::expressions() const
+  {
+    std::vector<const Expression *> found;
+    for (const Coefficient &one : all)
+      if (one.expression)
+        found.push_back(&*one.expression);
+    return found;
+  }
+
+
+
+  std::vector<std::pair<std::string, std::string>>
+  MaterialCoefficients::own_entries() const
+  {
+    std::vector<std::pair<std::string, std::string>> own;
+    for (const Coefficient &one : all)
+      if (one.expression || one.number != 1.)
+        own.emplace_back(one.entry,
+                         one.expression ? one.expression->text() :
+                                          significant(one.number, 6));
+    return own;
+  }
+
+
+
+  template <typename Number>
+  std::string
+  MaterialCoefficients::place_in_words(const Coefficient       &one,
+                                       const Variables<Number> &variables) const
+  {
+    std::string words, temperature;
+    for (unsigned int i = 0; i < variables.size(); ++i)
+      if (const double value = plain_value(variables[i]);
+          variable_names[i] == "theta")
+        temperature =
+          one.expression->depends_on("theta") ?
+            " where theta is " + significant(value, 6) + " (nondimensional)" :
+            "";
+      else if (variable_names[i] == "x")
+        words = (is_rod ? " at " + significant(100. * value / length, 6) +
+                            " % of the rod" :
+                          " at x = " + significant(value, 6)) +
+                words;
+      else if (!variable_names[i].empty())
+        words += ", " + variable_names[i] + " = " + significant(value, 6);
+    return words + (is_rod ? "" : " (nondimensional)") + temperature;
+  }
+
+
+
+  template <typename Number>
+  Number
+  MaterialCoefficients::at(const Name               name,
+                           const Variables<Number> &variables) const
+  {
+    const Coefficient &one = all[name];
+    if (!one.expression)
+      return Number(one.number);
+    const Number result = one.expression->evaluate(variables.data());
+    const double value  = plain_value(result);
+    if (!std::isfinite(value) || (!one.may_be_negative && value < 0.) ||
+        (!one.may_be_zero && value == 0.))
+      throw InputError(text(one.expression->path(),
+                            " = ",
+                            one.expression->text(),
+                            ": ",
+                            significant(value, 6),
+                            place_in_words(one, variables),
+                            "\n  allowed: ",
+                            one.may_be_negative ? "finite numbers" :
+                            one.may_be_zero     ? "numbers from 0 on" :
+                                                  "positive numbers",
+                            "\n  remedy:  an expression that has them in the "
+                            "whole body",
+                            one.expression->depends_on("theta") ?
+                              ", at all of its temperatures" :
+                              ""));
+    return result;
+  }
+
+
+
+  template <typename Number>
+  std::array<Number, 7>
+  MaterialCoefficients::terms(const Variables<Number> &variables) const
+  {
+    const auto of = [&](const Name name) {
+      return at<Number>(name, variables);
+    };
+    const Number A = of(section), E = of(stiffness);
+    return {{A,
+             A * of(heat_capacity),
+             A * of(conductivity),
+             A * of(coupling),
+             A * of(density),
+             A * E,
+             A * E * of(viscosity)}};
+  }
+
+
+
+  RodCoefficients
+  MaterialCoefficients::in_equations(const Variables<double> &variables) const
+  {
+    const auto c = terms<double>(variables);
+    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6]};
+  }
+
+
+
+  bool
+  MaterialCoefficients::operator==(const MaterialCoefficients &other) const
+  {
+    return std::equal(all.begin(),
+                      all.end(),
+                      other.all.begin(),
+                      [](const Coefficient &a, const Coefficient &b) {
+                        return a.number == b.number &&
+                               a.expression == b.expression;
+                      });
+  }
+
+
+
+  template double
+  MaterialCoefficients::at(const Name, const Variables<double> &) const;
+  template std::array<NumberJet, 7>
+  MaterialCoefficients::terms(const Variables<NumberJet> &) const;
+} // namespace ThermoContact
