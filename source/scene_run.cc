@@ -267,8 +267,7 @@ namespace ThermoContact
         (!scene.fields.has_displacement || scene.has_rollers) &&
         !scene.heat.has_lateral_exchange() &&
         (!scene.contact.law->is_active() || scene.contact.has_uniform_gap()) &&
-        data.is_along_axis() &&
-        !(scene.profile && scene.profile->varies_across());
+        data.is_along_axis() && !scene.has_bodies();
       if (dim > 1 && depends_on_x_alone)
         log.line("  rod       Dimension = 1 has the same solution: nothing "
                  "depends on y or z");

@@ -20,6 +20,9 @@ namespace ThermoContact
     {
       if (scene.row.is_given())
         return "no closed form of a row of bodies";
+      if (scene.has_bodies())
+        return "no closed form of a body with a material of its own, or before "
+               "a mass";
       if (scene.sources.drives_end())
         return "none: the fixed end is heated or moved";
       if (scene.sources.has_moving_obstacle)

@@ -703,7 +703,11 @@ namespace ThermoContact
         entry.remark = given->value;
     remove_if(
       [](const DeclaredEntry &entry) {
-        return exists_only_in_si(entry) || entry.value == entry.default_value;
+        // a body is there by its section
+        return exists_only_in_si(entry) ||
+               (entry.value == entry.default_value &&
+                !(begins_with(entry.path, "Bodies/") &&
+                  name_of(entry.path) == "Kind"));
       },
       entries);
   }

@@ -48,6 +48,24 @@ namespace ThermoContact
 
 
 
+    /** The mass that is the obstacle. */
+    std::string
+    describe_obstacle(const Scene &scene, const OutputUnits &units)
+    {
+      const ObstacleMass &mass = *scene.obstacle_mass;
+      const auto          part =
+        [&units](const char *name, const char *kind, const double value) {
+          return value == 0. ? "" : name + units.text(kind, value);
+        };
+      return join_words({scene.parameters.obstacle_mass()->name + " of " +
+                           units.text("mass", mass.mass),
+                         part("velocity ", "velocity", mass.velocity),
+                         part("spring ", "spring", mass.spring),
+                         part("dashpot ", "dashpot", mass.dashpot)});
+    }
+
+
+
     std::string
     describe_body(const Scene &scene, const OutputUnits &units)
     {
@@ -329,6 +347,8 @@ namespace ThermoContact
       log.line("  units     " + units.description());
     if (scene.row.is_given())
       log.line("  row       " + describe_row(scene, units));
+    else
+      log.line("  body      " + describe_body(scene, units));
     std::vector<std::string> coefficients;
     if (scene.profile)
       for (const auto &[name, value] :
@@ -340,8 +360,8 @@ namespace ThermoContact
                      value));
     if (!coefficients.empty())
       log.line("  material  " + join_words(coefficients));
-    else
-      log.line("  body      " + describe_body(scene, units));
+    if (scene.obstacle_mass)
+      log.line("  mass      " + describe_obstacle(scene, units));
     log.line("  unknowns  " + describe_unknowns(scene));
     if (dim > 1)
       report_solver(scene, communicator, log);

@@ -18,6 +18,10 @@ namespace ThermoContact
     /** Lines that are looked along, as parts of the extent across them. */
     constexpr std::array<double, 5> lines{{0.03, 0.28, 0.5, 0.77, 0.97}};
 
+    /** Places at which values are looked at, likewise. */
+    constexpr std::array<double, 7> looks{
+      {0., 0.03, 0.28, 0.5, 0.77, 0.97, 1.}};
+
 
 
     /** The variables of an expression that is followed along a direction; the
@@ -49,13 +53,20 @@ namespace ThermoContact
   {
     const double width = parameters.mesh.width;
     if (varies())
-      for (const double x : lines)
-        for (const double y : lines)
-          for (const double z : lines)
+      for (const double x : looks)
+        for (const double y : looks)
+          for (const double z : looks)
             at({{x, y * width, z * width}});
     for (const Expression *const one : all.expressions())
-      for (const std::string &doubt : one->doubts_of_tables())
-        doubts_.push_back(one->path() + ": " + doubt);
+      {
+        for (const std::string &doubt : one->doubts_of_tables())
+          doubts_.push_back(one->path() + ": " + doubt);
+        const double corner[4] = {width, width, 0., 1.};
+        for (const std::string &file : one->tables_left(corner))
+          doubts_.push_back(one->path() + ": " + quote(file) +
+                            " has no row at the far end of the body: the value "
+                            "of its nearest row holds there");
+      }
     for (unsigned int d = 0; d < parameters.dimension; ++d)
       {
         const MaterialCoefficients along(parameters,
@@ -135,12 +146,14 @@ namespace ThermoContact
                  found.is_infinite ? ": not finite" : ": changes too fast",
                  " near ",
                  axis_names[direction],
-                 " = ",
-                 significant(found.time, 6),
-                 " (nondimensional)\n  allowed: finite values, and jumps that "
+                 " at ",
+                 significant(100. * found.time / length, 6),
+                 " % of the body\n  allowed: finite values, and jumps that "
                  "can be told apart\n  remedy:  a smoother expression"));
         for (const LoadBreak &one : found.history.breaks)
-          if (one.is_jump || takes_kinks)
+          if ((one.is_jump || takes_kinks) &&
+              one.time > Tolerances::thinnest_layer * length &&
+              one.time < (1. - Tolerances::thinnest_layer) * length)
             {
               const auto known =
                 std::find_if(breaks.begin(),

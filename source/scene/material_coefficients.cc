@@ -50,6 +50,7 @@ namespace ThermoContact
     const std::array<std::string, 4> &variables)
     : variable_names(variables)
     , length(body.length)
+    , width(parameters.mesh.width)
     , is_rod(parameters.dimension == 1)
   {
     if (parameters.dimension < 3)
@@ -135,13 +136,12 @@ namespace ThermoContact
             " where theta is " + significant(value, 6) + " (nondimensional)" :
             "";
       else if (variable_names[i] == "x")
-        words = (is_rod ? " at " + significant(100. * value / length, 6) +
-                            " % of the rod" :
-                          " at x = " + significant(value, 6)) +
-                words;
+        words = " at " + significant(100. * value / length, 6) +
+                (is_rod ? " % of the rod" : " % of the length") + words;
       else if (!variable_names[i].empty())
-        words += ", " + variable_names[i] + " = " + significant(value, 6);
-    return words + (is_rod ? "" : " (nondimensional)") + temperature;
+        words += ", " + variable_names[i] + " at " +
+                 significant(100. * value / width, 6) + " % of the width";
+    return words + temperature;
   }
 
 

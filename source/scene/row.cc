@@ -295,7 +295,7 @@ namespace ThermoContact
     };
     for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
       add(bodies[i].name + " " + bodies[i + 1].name, bodies[i], &bodies[i + 1]);
-    if (parameters.boundary.right.meets_obstacle())
+    if (parameters.has_row() && parameters.boundary.right.meets_obstacle())
       add(bodies.back().name + " obstacle", bodies.back(), nullptr);
     return contacts;
   }

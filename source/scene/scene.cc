@@ -262,7 +262,6 @@ namespace ThermoContact
     {
       return fields.has_displacement && parameters.model.inertia > 0. &&
              heat.exchange->is_constant() && !has_motion &&
-             parameters.obstacle_mass() == nullptr &&
              (parameters.time.start == "paper" ||
               (parameters.time.start == "automatic" &&
                scheme.is_backward_euler &&
@@ -389,7 +388,7 @@ namespace ThermoContact
       if (parameters.dimension == 1)
         return "Dimension = 1";
       if (parameters.has_material())
-        return "Bodies = a material of its own";
+        return "section Bodies is given";
       if (scheme.needs_factors)
         return "Time/Scheme = " + scheme.name;
       if (is_fixed_point)

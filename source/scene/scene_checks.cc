@@ -567,7 +567,10 @@ namespace ThermoContact
               parameters.dimension > 1 &&
                 (is_mass || !is_contact_end || !scene.obstacle_mass),
               text("Dimension = ", parameters.dimension),
-              path + " = 0: only rods carry something on their ends");
+              is_mass || !is_contact_end ?
+                path + " = 0: only rods carry something on their ends" :
+                path + " = 0, or a second subsection of Bodies, Kind = mass, "
+                       "which carries it");
             attached.since(is_mass && !scene.material.has_inertia(),
                            no_inertia,
                            "Model/Inertia above 0, such as 1e-3 of the mass");
@@ -755,6 +758,11 @@ namespace ThermoContact
                           const std::string &remedy) {
         Refusal{entry, value, allowed}.since(is_there, name, remedy);
       };
+      no(!parse_number(mass->velocity),
+         path + "/Velocity",
+         mass->velocity,
+         "a number",
+         "a number: all of a mass has one velocity");
       for (const auto &[entry, value] :
            {std::pair("Displacement", mass->displacement),
             std::pair("Temperature", mass->temperature)})
@@ -854,7 +862,7 @@ namespace ThermoContact
          "Kind",
          "mass",
          "rod",
-         "a body, which the mass stands behind");
+         "Bodies/" + body.name + "/Kind = rod: the body comes first");
       no(body.length != 1.,
          "Length",
          text(body.length),
@@ -888,7 +896,8 @@ namespace ThermoContact
                        mesh.grading_across,
                        mesh.planes[1])})
         {
-          const std::string jumps = "cells end where the material jumps";
+          const std::string jumps =
+            "cells end where the material jumps or has a kink";
           if (number < planes.size() + 1)
             refuse(path,
                    number,
@@ -1290,7 +1299,7 @@ namespace ThermoContact
     const Parameters   &parameters = scene.parameters;
     const auto          size       = parameters.time.step_size;
     const QuantityUnits units(parameters);
-    if (!scene.row.is_given() || !size)
+    if (!scene.has_bodies() || !size)
       return "";
     std::vector<std::string> unresolved;
     for (const MassContact &contact : mass_contacts(parameters))

@@ -94,8 +94,7 @@ namespace ThermoContact
     if (const auto entry = discretization.obstacle_entry();
         entry && data.body_force)
       momentum.begin()[*entry] =
-        discretization.geometry().cross_section() * obstacle_mass / inertia *
-        data.body_force->value(discretization.geometry().on_axis(1.));
+        obstacle_mass / inertia * sum_over_end(*data.body_force);
     if (data.heat_source || data.body_force || data.end_heat_flux ||
         data.left_heat_flux || data.left_traction || data.obstacle_warming ||
         (data.end_traction && discretization.row().is_given()))
@@ -115,6 +114,18 @@ namespace ThermoContact
 
 
   template <int dim>
+  double
+  Loads<dim>::sum_over_end(const Function<dim> &load) const
+  {
+    double sum = 0.;
+    for (const ContactNode<dim> &node : discretization.contact_end().nodes())
+      sum += node.weight * load.value(node.position);
+    return sum;
+  }
+
+
+
+  template <int dim>
   void
   Loads<dim>::add_end_traction(Vector &momentum) const
   {
@@ -123,9 +134,7 @@ namespace ThermoContact
     if (obstacle_mass > 0.)
       {
         if (const auto entry = discretization.obstacle_entry())
-          momentum.begin()[*entry] +=
-            discretization.geometry().cross_section() *
-            data.end_traction->value(discretization.geometry().on_axis(1.));
+          momentum.begin()[*entry] += sum_over_end(*data.end_traction);
       }
     else
       for (const auto &[node, entry] :
@@ -316,7 +325,7 @@ namespace ThermoContact
   {
     const unsigned int right = 1;
     if (dim > 1)
-      return; // of an obstacle, which is no part of the mesh
+      return; // of an obstacle it is there
     if (data.body_force && inertia > 0.)
       for (const RowMass &mass : discretization.row().masses)
         if (mass.vertex == cell->active_cell_index() + 1)

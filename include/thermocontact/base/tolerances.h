@@ -106,6 +106,10 @@ namespace ThermoContact
      */
     inline constexpr double same_coordinate = 1e-11;
 
+    /** A jump of a material that is nearer to a face of the body, in parts of
+     * its extent, is on the face: its place is rounded. */
+    inline constexpr double thinnest_layer = 1e-9;
+
     /** Length of a closed gap in the mesh of a row, in parts of its bodies. */
     inline constexpr double closed_gap = 1e-9;
 

@@ -105,6 +105,7 @@ namespace ThermoContact
 
     std::array<std::string, 4>       variable_names;
     double                           length; ///< of the body
+    double                           width;
     bool                             is_rod;
     std::array<Coefficient, n_names> all;
 

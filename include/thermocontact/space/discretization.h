@@ -421,8 +421,8 @@ namespace ThermoContact
     const BodyRow                    row_;
     const std::optional<BodyProfile> profile;
 
-    /** Of the cell of an obstacle that has a mass, and its faces; those of boxes
-     * are small numbers. */
+    /** Of the cell of an obstacle that has a mass, and its faces; those of
+     * boxes are small numbers. */
     static constexpr types::material_id obstacle_material = 100;
     static constexpr types::boundary_id obstacle_boundary = 100;
 

@@ -107,6 +107,10 @@ namespace ThermoContact
     void
     integrate_end(const types::boundary_id part);
 
+    /** Integral over the contact end, of the axial component. */
+    double
+    sum_over_end(const Function<dim> &load) const;
+
     /** Adds the traction at contact nodes. */
     void
     add_end_traction(Vector &momentum) const;
