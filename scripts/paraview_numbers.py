@@ -12,12 +12,14 @@ except ImportError as error:
     fail(sys.executable, error, "install Debian's python3-numpy")
 
 USUAL = ["temperature", "stress", "displacement", "velocity"]
+# marks that are the begin and the end of a contact, by the picture that shows it
+CONTACTS = {"first-contact": "first-contact", "peak": "contact-of-peak"}
 
 
 def marks_of(run):
-    """Names of pictures and the times that they show, of a run (plot_run); of the first contact
-    its begin and end."""
-    forces = [force if math.isfinite(force) else 0
+    """Names of pictures and the times that they show, of a run (plot_run); of the first contact,
+    and of the contact with the largest force, its begin and end."""
+    forces = [abs(force) if math.isfinite(force) else 0  # a rear obstacle pulls
               for force in run.data["contact_force"]]
     motion = [abs(u) if math.isfinite(u) else 0
               for u in run.data["displacement_end"]]
@@ -25,6 +27,8 @@ def marks_of(run):
     marks = {"peak": run.data["time"][peak.index(max(peak))]}
     if run.contacts:
         marks["first-contact"] = list(run.contacts[0])
+    marks.update({"contact-of-peak": [begin, end] for begin, end in run.contacts
+                  if begin <= marks["peak"] <= end and peak is forces})
     return marks
 
 
@@ -116,16 +120,21 @@ def nearest(times, time):
     return min(times, key=lambda t: abs(t - time))
 
 
+def within(times, contact):
+    """The times of snapshots within a contact."""
+    begin, end = contact
+    rounding = 1e-9 * times[-1]  # of the times in the files
+    return [time for time in times if begin - rounding <= time <= end + rounding]
+
+
 def times_of_pictures(times, marks, n_frames):
     """Time of each picture by its name, and times of the animation. The first contact is the first
-    snapshot within it, since those before show a gap; without one there is no picture of it."""
-    pictures = {name: nearest(times, time) for name, time in marks.items() if name != "first-contact"}
-    if "first-contact" in marks:
-        begin, end = marks["first-contact"]
-        rounding = 1e-9 * times[-1]  # of the times in the files
-        within = [time for time in times if begin - rounding <= time <= end + rounding]
-        if within:
-            pictures["first-contact"] = within[0]
+    snapshot within it, since those before show a gap; without one there is no picture of it. The
+    largest force is the nearest snapshot within its contact, if there is one."""
+    shown = {name: within(times, marks[mark]) for name, mark in CONTACTS.items() if mark in marks}
+    pictures = {"peak": nearest(shown.get("peak") or times, marks["peak"])}
+    if shown.get("first-contact"):
+        pictures["first-contact"] = shown["first-contact"][0]
     pictures.update(first=times[0], last=times[-1])
     stride = math.ceil(len(times) / max(1, n_frames))
     return pictures, times[::stride] if n_frames else []
@@ -138,12 +147,16 @@ def remarks_on(pictures, marks):
         begin, end = marks["first-contact"]
         remarks.append("no first-contact.png: there is no snapshot within the first contact, "
                        f"{begin:g} < t < {end:g}")
+    if "contact-of-peak" in marks and not within([pictures["peak"]], marks["contact-of-peak"]):
+        begin, end = marks["contact-of-peak"]
+        remarks.append(f"peak.png shows t = {pictures['peak']:g}: there is no snapshot within the "
+                       f"contact with the largest force, {begin:g} < t < {end:g}")
     names = {time: [name for name in ("first", "first-contact", "peak", "last")
                     if pictures.get(name) == time] for time in pictures.values()}
     remarks += [f"{' and '.join(same)} are one snapshot, t = {time:g}"
                 for time, same in sorted(names.items()) if len(same) > 1]
     return [remark + "; a shorter Output/Fields interval makes more" * (
-        "first-contact" in remark) for remark in remarks]
+        "contact" in remark) for remark in remarks]
 
 
 def view_of(low, high, is_oblique):

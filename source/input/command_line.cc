@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/text.h>
 #include <thermocontact/input/command_line.h>
 #include <thermocontact/input/unknown_names.h>
 
 #include <getopt.h>
 
+#include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <iterator>
 
 namespace ThermoContact
@@ -66,12 +69,19 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
 
 
 
+    const std::string remedy_for_directory =
+      "--output DIR names the directory of the run; --resume stands alone";
+
+
+
     [[noreturn]] void
-    refuse_argument(const std::string &argument, const std::string &fault)
+    refuse_argument(const std::string &argument,
+                    const std::string &fault,
+                    const std::string &remedy = "--help lists the options")
     {
       throw InputError(std::string(command_line_place) + ": " +
                        quote(argument) + ": " + fault +
-                       "\n  remedy:  --help lists the options");
+                       "\n  remedy:  " + remedy);
     }
 
 
@@ -83,6 +93,22 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
       for (const Option &one : all_options)
         names.push_back(std::string("--") + one.name);
       return names;
+    }
+
+
+
+    /** True for an option with a value that it does not take. */
+    bool
+    has_needless_value(const std::string &word)
+    {
+      return std::any_of(std::begin(all_options),
+                         std::end(all_options),
+                         [&word](const Option &one) {
+                           return one.argument == no_argument &&
+                                  begins_with(word,
+                                              std::string("--") + one.name +
+                                                "=");
+                         });
     }
 
 
@@ -100,6 +126,12 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
     {
       if (option == ':')
         refuse_argument(word, "its argument is missing");
+      if (has_needless_value(word))
+        refuse_argument(word,
+                        "the option takes no value",
+                        begins_with(word, "--resume") ?
+                          remedy_for_directory :
+                          word.substr(0, word.find('=')));
       if (option < 1 || option > n_options)
         refuse_argument(word,
                         word.compare(0, 2, "--") == 0 ?
@@ -167,6 +199,10 @@ Exit status: 0 done, 1 the computation failed, 2 the input is wrong.
          (o = getopt_long(argc, argv, ":", options.data(), nullptr)) != -1;)
       apply_option(o, optarg, last_word(argc, argv), command_line);
 
+    // a directory behind --resume is taken for a file
+    for (int i = optind; i < argc && argc - optind > 1; ++i)
+      if (command_line.is_resumed && std::filesystem::is_directory(argv[i]))
+        refuse_argument(argv[i], "no parameter file", remedy_for_directory);
     if (argc - optind > 1)
       refuse_argument(argv[optind + 1], "only one parameter file is read");
     if (optind < argc)

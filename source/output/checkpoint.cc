@@ -304,6 +304,16 @@ namespace ThermoContact
           return checkpoint;
         faults += path + ": " + fault + "\n  ";
       }
+    std::error_code error;
+    if (!std::filesystem::exists(directory, error))
+      throw InputError("--resume: there is no directory " + directory +
+                       "\n  remedy:  the --output of the run that is to go on, "
+                       "or run without --resume");
+    if (std::filesystem::exists(directory + "/study.csv", error))
+      throw InputError("--resume: " + directory +
+                       " has a study, not a single run\n  remedy:  the "
+                       "parameter file of the study, " +
+                       directory + "/used.prm, or run without --resume");
     throw InputError("--resume: no checkpoint in " + directory + "\n  " +
                      faults +
                      "remedy:  run without --resume; set Output/Checkpoint "

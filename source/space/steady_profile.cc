@@ -28,6 +28,7 @@ namespace ThermoContact
               else if (x >= from)
                 profile.local_element(i) = *heat.right_temperature;
           }
+        discretization.set_zero_in_gaps(Field::temperature, profile);
         return;
       }
     for (unsigned int i = 0; i < nodal_values.size(); ++i)

@@ -287,9 +287,21 @@ def main():
            "--set", "Study/Vary=Mesh/Cells = 4 | 8")
     print("other values that are not refused:", not_refused(reference))
     status, message = run(Path("nowhere"), "scene.prm", "--resume")
-    print(f"no checkpoint: status {status}, directory",
+    print(f"no directory: status {status}, directory",
           int(Path("nowhere").exists()))
     print(message.rstrip())
+    for what, files in (("of a run", ["contact.csv"]), ("of a study", ["study.csv"])):
+        directory = Path(what)
+        directory.mkdir(exist_ok=True)
+        for file in files:
+            (directory / file).touch()
+        refuse(directory, what, "scene.prm")
+    # a directory behind --resume, as other programs take it
+    for words in (["--resume", str(reference), "scene.prm"], ["--resume=" + str(reference), "scene.prm"],
+                  ["--quiet=yes", "scene.prm"]):
+        status, _, message = program.run(*words)
+        print(f"{words[0].partition('=')[0]} and a word: status {status}")
+        print(message.replace(str(reference), "DIR").rstrip())
     longer = extend(reference, "scene.prm")
     damage_twice(reference, "scene.prm", longer)
     shutil.rmtree(longer)

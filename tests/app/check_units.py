@@ -120,6 +120,23 @@ def check_quantities():
                  "Model/Viscosity": ETA / (E * t), "Model/Coupling": ALPHA * theta,
                  "Scales/Length": L, "Scales/Time": t, "Scales/Stress": E, "Scales/Area": A,
                  "Scales/Temperature": theta, "Scales/Reference temperature": REF})
+    # what both ends carry, and what acts on the left one
+    attached = {"Spring": ("2e6", "2 kN/mm", 2e6 * L / (E * A)),
+                "Dashpot": ("3e3", "3 N s/mm", 3e3 * L / (E * A * t)),
+                "Mass": ("0.05", "50 g", 0.05 * L / (E * A * t**2))}
+    ends = {**{f"Boundary/{end}/{path}": entry for end in ("left", "right")
+               for path, entry in attached.items()},
+            "Boundary/left/Temperature": ("none", "none", None),
+            "Boundary/left/Support": ("free", "free", None),
+            "Boundary/left/Traction": ("6e5", "0.6 N/mm^2", 6e5 / E),
+            "Boundary/left/Heat flux": ("900", "0.09 W/cm^2", 900 / flux),
+            "Boundary/left/Heat exchange": ("40", "0.004 W/(cm^2 K)", 40 * L / KAPPA),
+            "Boundary/left/Surroundings": ("330", "56.85 degC", 30 / theta),
+            "Boundary/right/Heat exchange": ("0", "0", None),
+            "Initial values/Velocity": ("1e-3", "1 mm/s", 1e-3 * t / L),
+            "Contact/Condition": ("none", "none", None), "Time/End time": ("7200", "2 h", None)}
+    check_scene("ends.prm", {path: entry[:2] for path, entry in ends.items()},
+                {path: entry[2] for path, entry in ends.items() if entry[2]})
     # a strip: the modulus of P-waves, and more expansion
     e = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
     theta = math.sqrt(e * REF / (RHO * C))

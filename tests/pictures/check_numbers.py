@@ -23,12 +23,14 @@ except ImportError as error:
 
 
 def check_marks(numbers):
-    """The largest force; without force the end that is farthest from its place,
+    """The largest force, of either obstacle; without force the end that is farthest from its place,
     whichever way it went; contact begins where it begins first."""
     nan = math.nan
     for forces, displacements, contacts, expected in (
             ([0, 1, 3, 2], [0, 9, 1, 1], [(0.5, 1), (2, 3)],
-             {"peak": 2, "first-contact": [0.5, 1]}),
+             {"peak": 2, "first-contact": [0.5, 1], "contact-of-peak": [2, 3]}),
+            ([0, 1, 0, -3], [0, 1, 0, -1], [(0.5, 1.5), (2.5, 3)],
+             {"peak": 3, "first-contact": [0.5, 1.5], "contact-of-peak": [2.5, 3]}),
             ([0, 0, 0, 0], [0.1, -0.3, 0.2, 0], [], {"peak": 1}),
             ([nan] * 4, [0.1, -0.3, 0.4, 0], [], {"peak": 2}),
             ([nan] * 4, [nan] * 4, [], {"peak": 0})):
@@ -41,7 +43,8 @@ def check_marks(numbers):
 
 def check_missing(numbers):
     """Snapshots at 0, 1, 2, 3: the first within the first contact, none if it lies between two; the
-    peak at 2.9 is the last one."""
+    peak at 2.9 is the last one, and of a contact up to 2.95 the one before; where the contact of the
+    peak lies between two, its picture shows no contact, which is said."""
     for marks, expected, words in (
             ({"peak": 2.9, "first-contact": [0.4, 0.9]}, {"first": 0, "peak": 3, "last": 3},
              ["no first-contact.png: there is no snapshot within the first contact, 0.4 < t < 0.9; a "
@@ -49,6 +52,10 @@ def check_missing(numbers):
             ({"peak": 1.2, "first-contact": [0.4, 1.5]},
              {"first": 0, "first-contact": 1, "peak": 1, "last": 3},
              ["first-contact and peak are one snapshot, t = 1"]),
+            ({"peak": 2.9, "contact-of-peak": [1.5, 2.95]}, {"first": 0, "peak": 2, "last": 3}, []),
+            ({"peak": 2.4, "contact-of-peak": [2.2, 2.6]}, {"first": 0, "peak": 2, "last": 3},
+             ["peak.png shows t = 2: there is no snapshot within the contact with the largest force, "
+              "2.2 < t < 2.6; a shorter Output/Fields interval makes more"]),
             ({"peak": 2, "first-contact": [1 + 1e-12, 3]},
              {"first": 0, "first-contact": 1, "peak": 2, "last": 3}, []),
             ({"peak": 2, "first-contact": [1.1, 3]},

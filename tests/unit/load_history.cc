@@ -3,7 +3,8 @@
 // What steps make of breaks and stretches of loads.
 //
 // 1. Together: breaks in order, those of a listed time are jumps, but not where
-//    there is one already; a jump and a bend at one time are a jump; of
+//    there is one already; a jump and a bend at one time are a jump; a break
+//    over which steps go ends them as soon as its time is listed; of
 //    stretches that overlap the smaller width: [0.1, 0.5] with 0.2, [0.3, 0.8]
 //    with 0.1 and [0.6, 0.7] with 0.3. Steps of at most 1 have 0.2 from 0 and
 //    from 0.1, 0.1 from 0.3, 0.08 from 0.82 to [0.9, 0.95] with 0.05, and 1
@@ -49,6 +50,13 @@ namespace
     for (const LoadBreak &b : one.breaks)
       deallog << (b.is_jump ? "jump " : "bend ") << b.time << ' ';
     deallog << std::endl;
+    LoadHistory passed;
+    passed.breaks                    = {{0.5, true}, {0.7, true}};
+    passed.breaks.front().ends_steps = false;
+    deallog << "steps go on to " << passed.next_break(0.)->time;
+    passed.add_breaks({0.5});
+    deallog << ", listed to " << passed.next_break(0.)->time << ", breaks "
+            << passed.breaks.size() << std::endl;
     for (const LoadStretch &s : one.stretches)
       deallog << s.begin << " to " << s.end << ": " << s.width << ' ';
     for (const double time : {0., 0.1, 0.3, 0.82, 0.95})

@@ -32,6 +32,9 @@
 //    time over eps, until (1 + y) exp(-y) = 1/2, y = 1.678, impulse 0.949 eps.
 //    Together 1 - 0.051 eps, which the mesh does not see: it is within the time
 //    eps.
+// 6. The same with b = 4, thrown with x/2 for twice the time: the same rod in
+//    another unit of time. Bars of displacements and forces are the same, to
+//    1e-6 of them, those of times and impulses twice as large.
 
 #include <thermocontact/report/key_results.h>
 #include <thermocontact/simulation/simulation.h>
@@ -110,6 +113,48 @@ namespace
 
 
 
+  /** The largest relative difference of bars of one rod in two units of time.
+   */
+  void
+  check_unit_of_time()
+  {
+    KeyResults bars[2];
+    for (const unsigned int i : {0, 1})
+      {
+        const double  unit = i + 1.;
+        Simulation<1> simulation(
+          read_parameters("",
+                          rod + Overrides{entry("Model/Inertia", unit * unit),
+                                          "Contact/Compliance=1e-4",
+                                          "Initial values/Velocity=x/" +
+                                            number(unit),
+                                          entry("Time/End time", 4.6 * unit)}),
+          MPI_COMM_SELF);
+        simulation.run();
+        Log log(false, true);
+        bars[i] = error_bars(
+                    simulation, []() {}, log)
+                    .space;
+      }
+    double       difference = 0.;
+    unsigned int n          = 0;
+    for (const auto &[key, bar] : bars[0])
+      if (const double factor = key.find("time") != key.npos ||
+                                    key.find("duration") != key.npos ||
+                                    key.find("impulse") != key.npos ?
+                                  2. :
+                                  1.;
+          bar > 0.)
+        {
+          raise(difference, std::abs(bars[1].at(key) / (factor * bar) - 1.));
+          ++n;
+        }
+    deallog << "in another unit of time: " << n << " bars, difference "
+            << within(difference, 1e-6) << std::endl;
+  }
+
+
+
   /** By how much a force is below both of its neighbours. */
   double
   largest_dip(const std::vector<double> &forces)
@@ -170,4 +215,5 @@ main_box_bars()
          "Initial values/Velocity=x",
          "Time/End time=4.6"},
         {{"contact_impulse", 1. - 0.051e-4}});
+  check_unit_of_time();
 }

@@ -14,7 +14,7 @@
 //    11 pi/6.
 // 2. Thrown back by u_t = -x a rod meets the obstacle behind it alone, thrown
 //    forward by u_t = x the one in front: then the motion of the other one, or
-//    that it is there, changes nothing.
+//    that it is there, changes nothing, what the scheme takes included.
 
 #include <thermocontact/simulation/simulation.h>
 
@@ -122,6 +122,8 @@ namespace
                              &StepRecord::contact_force,
                              &StepRecord::contact_impulse,
                              &StepRecord::work,
+                             &StepRecord::dissipation,
+                             &StepRecord::numerical_dissipation,
                              &StepRecord::contact_dissipation,
                              &StepRecord::energy})
       difference =
@@ -146,6 +148,11 @@ main_moving_play()
        std::vector<std::pair<std::string, std::vector<std::string>>>{
          {"rigid", {"Contact/Condition=rigid"}},
          {"elastic", {"Contact/Compliance=0.01"}},
+         {"elastic, backward Euler",
+          {"Contact/Compliance=0.01",
+           "Time/Scheme=backward euler",
+           "Time/Start=consistent",
+           "Time/Step size=0.001"}},
          {"damped", {"Contact/Compliance=0.01", "Contact/Damping=0.5"}},
          {"viscous nodes, rigid",
           {"Contact/Condition=rigid", "Contact/Massless nodes=on"}},

@@ -35,7 +35,10 @@
 //    them, k = 1 to the obstacle at 0, theta_A = 10: resistances in a row
 //    1/2 + 1/4 + 1/4 + 1 = 2, flux 5; temperature of the right end 5, to 1e-8.
 //    An insulated rod at 0 beside a mass of heat capacity 2 at 3: both come
-//    to 2.
+//    to 2. Two rods that exchange no heat rest at 2 and 5, which their ends
+//    have: energy, work and dissipation are 0 on cells of any degree. Three
+//    masses side by side at 1, 0 and 0, k = 2 by a law: the last one is at
+//    1/3 - exp(-2 t)/2 + exp(-6 t)/6, with the order 2 of the scheme box.
 // 8. Two rods between walls that press on each other and exchange heat by
 //    k(p) = 1/(1 - 12 (p - 1)), diffusivities 1 and 0.1, a = K = E = 1, no
 //    inertia, no thermoelastic heating, q = 1: disturbances grow like
@@ -57,6 +60,13 @@
 //    image of three rods with such laws has the same forces, by box to
 //    rounding, by sdirk4 to rounding that events multiply: a thousandth of its
 //    tolerance.
+// 11. Key results of a row. A mass that runs with 1 into a spring 0.1 away is
+//    there from t = 0.1 on, 1 at t = 1.1, to 1e-7: the obstacle with nothing
+//    behind, or a mass at rest before a far obstacle. The middle of a row is
+//    that of its length, in the second of two rods of 1/4 and 3/4, which fly
+//    apart with 1 and 2: displacement_mid is 2 t; mirrored it is -2 t.
+
+#include <thermocontact/report/key_results.h>
 
 #include <algorithm>
 #include <functional>
@@ -395,6 +405,109 @@ namespace
         .rows.back();
     deallog << "mass and rod: temperatures "
             << within(std::abs(mixed.temperature_end - 2.), 1e-8) << std::endl;
+    for (const double degree : {1., 2., 4.})
+      {
+        const StepRecord apart =
+          run<1>("",
+                 body("a", {"Length=0.5", "Temperature=2"}) +
+                   body("b", {"Length=0.5", "Temperature=5"}) +
+                   Overrides{"Model/Fields=temperature",
+                             "Boundary/left/Temperature=2",
+                             "Boundary/right/Temperature=5",
+                             "Boundary/right/Heat exchange=0",
+                             "Time/End time=0.1",
+                             entry("Mesh/Degree", degree)})
+            .rows.back();
+        deallog << "apart, degree " << degree << ": energy "
+                << within(std::abs(apart.energy), 1e-12) << ", work "
+                << within(std::abs(apart.work), 1e-12) << ", dissipation "
+                << within(std::abs(apart.dissipation), 1e-12) << std::endl;
+      }
+  }
+
+
+
+  void
+  check_masses_by_law()
+  {
+    double errors[2];
+    for (const unsigned int i : {0, 1})
+      {
+        const StepRecord last =
+          run<1>("",
+                 body("a", {"Kind=mass", "Temperature=1"}) +
+                   body("b", {"Kind=mass"}) + body("c", {"Kind=mass"}) +
+                   Overrides{"Boundary/left/Temperature=none",
+                             "Boundary/left/Support=free",
+                             "Boundary/right/Heat exchange=if(gap>1,0,2)",
+                             "Contact/Gap=100",
+                             "Contacts/a b/Gap=0",
+                             "Contacts/b c/Gap=0",
+                             "Time/Scheme=box",
+                             entry("Time/Step size", i == 0 ? 0.05 : 0.025),
+                             "Time/End time=0.5"})
+            .rows.back();
+        errors[i] = std::abs(last.temperature_end - 1. / 3. +
+                             0.5 * std::exp(-1.) - std::exp(-3.) / 6.);
+      }
+    deallog << "masses, k by a law: theta " << within(errors[0], 2e-5)
+            << ", order at least 2 "
+            << (errors[0] > 3.5 * errors[1] ? "yes" : "no") << std::endl;
+  }
+
+
+
+  void
+  check_key_results()
+  {
+    const Overrides masses = free_ends + elastic +
+                             Overrides{"Boundary/right/Support=contact",
+                                       "Contact/Compliance=1",
+                                       "Time/Scheme=sdirk4",
+                                       "Time/Tolerance=1e-8",
+                                       "Time/End time=1.1"};
+    for (const auto &[name, overrides] :
+         {std::make_pair(std::string("at the obstacle"),
+                         body("a", {"Kind=mass"}) +
+                           body("b", {"Kind=mass", "Velocity=1"}) +
+                           Overrides{"Contacts/a b/Gap=10", "Contact/Gap=0.1"}),
+          std::make_pair(std::string("at a mass"),
+                         body("a", {"Kind=mass", "Velocity=1"}) +
+                           body("b", {"Kind=mass", "Mass=3"}) +
+                           Overrides{"Contacts/a b/Gap=0.1",
+                                     "Contact/Gap=10"})})
+      {
+        Simulation<1> simulation(read_parameters("", masses + overrides),
+                                 MPI_COMM_SELF);
+        simulation.run();
+        deallog << name << ": time in contact "
+                << within(std::abs(key_results(simulation.scene(),
+                                               simulation.history())
+                                     .at("contact_duration") -
+                                   1.),
+                          1e-7)
+                << std::endl;
+      }
+    for (const bool is_mirrored : {false, true})
+      {
+        const Overrides slow = {"Length=0.25",
+                                is_mirrored ? "Velocity=-1" : "Velocity=1"},
+                        fast = {"Length=0.75",
+                                is_mirrored ? "Velocity=-2" : "Velocity=2"};
+        double error         = 0.;
+        for (const StepRecord &row :
+             run<1>("",
+                    free_ends + elastic + touching +
+                      (is_mirrored ? body("fast", fast) + body("slow", slow) :
+                                     body("slow", slow) + body("fast", fast)) +
+                      Overrides{"Time/End time=0.5"})
+               .rows)
+          raise(error,
+                std::abs(row.displacement_mid -
+                         (is_mirrored ? -2. : 2.) * row.time));
+        deallog << "middle of two rods" << (is_mirrored ? ", mirrored" : "")
+                << ": " << within(error, 1e-11) << std::endl;
+      }
   }
 
 
@@ -649,6 +762,8 @@ main_rows()
   check_layers();
   check_parts();
   check_resistances();
+  check_masses_by_law();
+  check_key_results();
   check_rattling_rods();
   check_own_laws("box", 2e-5);
   check_own_laws("sdirk4", 1e-7);

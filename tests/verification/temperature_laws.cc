@@ -33,6 +33,8 @@
 //    0.1: half the work of the load is lost, f^2/6.
 // 8. Linear cells have series means at all temperatures: E = exp(8 x) (1 -
 //    theta/2) where theta = 1, f = 0.1: u(1) = (1 - exp(-8))/40 with two cells.
+//    Thermal stresses of the parts of a cell add up, and are no series:
+//    a = 1 + 2 x + theta/10, E = 1 have u(1) = f + 2 + 1/10 with one cell.
 // 9. Clamped at both ends, heated evenly, fixed steps: the motion is rounding
 //    alone, and Newton's method settles.
 // 10. A rod and its mirror image, laws of 1 - x, ends exchanged: the middle
@@ -288,6 +290,15 @@ namespace
                                                  "Boundary/right/Traction=0.1",
                                                  "Mesh/Degree=1"})
                                 .rows.back();
+    const StepRecord added =
+      run<1>("",
+             uniform +
+               body("rod",
+                    {"Coupling=1+2*x+theta/10", "Temperature=1", "Cells=1"}) +
+               Overrides{"Model/Coupling=1",
+                         "Boundary/right/Traction=0.1",
+                         "Mesh/Degree=1"})
+        .rows.back();
     const auto rests =
       run<1>("",
              body("rod", {"Stiffness=1/(1+theta/10)", "Temperature=1"}) +
@@ -304,6 +315,8 @@ namespace
             << within(std::abs(linear.displacement_end -
                                (1. - std::exp(-8.)) / 40.),
                       1e-10)
+            << ", of thermal stress "
+            << within(std::abs(added.displacement_end - 2.2), 1e-10)
             << "; at rest: theta "
             << within(std::abs(rests.back().temperature_end - 2.), 1e-6)
             << std::endl;
