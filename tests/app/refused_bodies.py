@@ -28,6 +28,7 @@ SCENES = [
     ("Mesh/Grading across", LAYERS, "Mesh/Grading across=2", "Mesh/Grading across=1"),
     ("Solver/Linear solver", PLATE, "Solver/Linear solver=iterative", "Solver/Linear solver=direct"),
     # the mass
+    ("Bodies/b/Velocity", RAM, "Bodies/b/Velocity=x", "Bodies/b/Velocity=-1"),
     ("Bodies/b/Displacement", RAM, "Bodies/b/Displacement=0.1", "Bodies/b/Displacement=0"),
     ("Bodies/b/Temperature", RAM, "Bodies/b/Temperature=1", "Bodies/b/Temperature=0"),
     ("Model/Inertia", RAM, "Model/Inertia=0", "Model/Inertia=0.1"),

@@ -27,7 +27,7 @@
 //    without mass: E + D + N - W is that of the start to 1e-12.
 // 7. Mirrored in y, E(W - y), ...: the mirror image.
 // 8. The mesh: lines at y = 0.02 and 0.07, at x = 0.3; an oblique jump is
-//    doubted, and steps of a circle are.
+//    doubted; jumps on the faces of the body make no cells.
 
 #include <thermocontact/space/load_scan.h>
 #include <thermocontact/space/point_values.h>
@@ -485,4 +485,5 @@ main_varying_bodies()
   check_mesh("layers", "if(y<0.02,1,if(y<0.07,2,3))*if(x<0.3,1,2)");
   check_mesh("inclusion", "if(x<0.5 && y<0.05,3,1)");
   check_mesh("oblique", "if(y<0.05+0.01*x,2,1)");
+  check_mesh("jumps on faces", "if(x<1,1,2)*if(y>0,1,2)+if(x<1-1e-12,1,0)");
 }
