@@ -83,7 +83,7 @@ namespace ThermoContact
   VtuCells<dim - 1, dim>
   obstacle_shape(const Body<dim>             &body,
                  const OutputUnits           &units,
-                 const dealii::Function<dim> *gap)
+                 const dealii::Function<dim> &gap)
   {
     std::vector<ContactNode<dim>> nodes(body.contact_end().all_nodes());
     const double                  rear_gap = body.scene.contact.rear_gap;
@@ -102,9 +102,7 @@ namespace ThermoContact
       nodes,
       units,
       [&](const unsigned int row, const unsigned int i) {
-        return row > 1        ? 0. :
-               gap != nullptr ? gap->value(nodes[i].position) :
-                                nodes[i].gap;
+        return row > 1 ? 0. : gap.value(nodes[i].position);
       },
       cells);
     if (std::isfinite(rear_gap))
@@ -127,9 +125,9 @@ namespace ThermoContact
   template VtuCells<1, 2>
   obstacle_shape(const Body<2> &,
                  const OutputUnits &,
-                 const dealii::Function<2> *);
+                 const dealii::Function<2> &);
   template VtuCells<2, 3>
   obstacle_shape(const Body<3> &,
                  const OutputUnits &,
-                 const dealii::Function<3> *);
+                 const dealii::Function<3> &);
 } // namespace ThermoContact

@@ -253,11 +253,10 @@ namespace ThermoContact
         if (obstacle)
           {
             gap->set_time(state.time);
-            write(obstacle->next_path(),
-                  obstacle_shape(body, units, gap.get()));
+            write(obstacle->next_path(), obstacle_shape(body, units, *gap));
           }
         else if (times().empty() && !body.scene.contact.has_uniform_gap())
-          write(directory + "/obstacle.vtu", obstacle_shape(body, units));
+          write(directory + "/obstacle.vtu", obstacle_shape(body, units, *gap));
         if (contact_face)
           {
             auto face        = ThermoContact::contact_face(body, state, units);

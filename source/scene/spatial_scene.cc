@@ -31,15 +31,7 @@ namespace ThermoContact
     , left(scene.parameters.boundary.left)
     , right(scene.parameters.boundary.right)
     , row(scene.row)
-    , gap(scene.contact.gap)
-  {
-    if (scene.contact.law->is_active() &&
-        (!scene.contact.has_uniform_gap() || scene.sources.has_moving_obstacle))
-      {
-        gap            = 0.;
-        gap_expression = *scene.gap_expression;
-      }
-  }
+  {}
 
 
 
@@ -102,11 +94,9 @@ namespace ThermoContact
                    u,
                    v,
                    w,
-                   x,
-                   y,
-                   z] = all;
+                   x] = all;
       const auto others =
-        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, x, y, z);
+        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, x);
       return std::tuple_cat(
         members(a), members(b), members(c), members(v), members(w), others);
     }

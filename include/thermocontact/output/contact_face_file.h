@@ -28,14 +28,13 @@ namespace ThermoContact
    * displacement (gap, 0, 0); of one behind the end $(-g_2,0,0)$ at nodes
    * behind those.
    *
-   * @param gap of an obstacle that moves, at the time of the file; else the
-   *   gaps are those of the nodes
+   * @param gap at the time of the file
    */
   template <int dim>
   VtuCells<dim - 1, dim>
   obstacle_shape(const Body<dim>             &body,
                  const OutputUnits           &units,
-                 const dealii::Function<dim> *gap = nullptr);
+                 const dealii::Function<dim> &gap);
 } // namespace ThermoContact
 
 #endif

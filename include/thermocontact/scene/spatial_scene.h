@@ -42,8 +42,6 @@ namespace ThermoContact
     double left_exchange; ///< $k_A$ of the end $x=0$
     BoundaryParameters::Attached left, right;
     BodyRow                      row;
-    double                       gap; ///< $g$ of all nodes; 0 with a shape
-    std::optional<Expression>    gap_expression; ///< of a shape or a motion
 
     bool
     operator==(const SpatialScene &other) const;
