@@ -83,7 +83,7 @@ namespace ThermoContact
   VtuCells<dim - 1, dim>
   obstacle_shape(const Body<dim>             &body,
                  const OutputUnits           &units,
-                 const dealii::Function<dim> *gap,
+                 const dealii::Function<dim> &gap,
                  const double                 moved)
   {
     std::vector<ContactNode<dim>> nodes(body.contact_end().all_nodes());
@@ -103,10 +103,7 @@ namespace ThermoContact
       nodes,
       units,
       [&](const unsigned int row, const unsigned int i) {
-        return row > 1 ?
-                 0. :
-                 moved + (gap != nullptr ? gap->value(nodes[i].position) :
-                                           nodes[i].gap);
+        return row > 1 ? 0. : moved + gap.value(nodes[i].position);
       },
       cells);
     if (std::isfinite(rear_gap))
@@ -129,11 +126,11 @@ namespace ThermoContact
   template VtuCells<1, 2>
   obstacle_shape(const Body<2> &,
                  const OutputUnits &,
-                 const dealii::Function<2> *,
+                 const dealii::Function<2> &,
                  const double);
   template VtuCells<2, 3>
   obstacle_shape(const Body<3> &,
                  const OutputUnits &,
-                 const dealii::Function<3> *,
+                 const dealii::Function<3> &,
                  const double);
 } // namespace ThermoContact

@@ -265,10 +265,11 @@ namespace ThermoContact
           {
             gap->set_time(state.time);
             write(obstacle->next_path(),
-                  obstacle_shape(body, units, gap.get(), moved));
+                  obstacle_shape(body, units, *gap, moved));
           }
         else if (times().empty() && !body.scene.contact.has_uniform_gap())
-          write(directory + "/obstacle.vtu", obstacle_shape(body, units));
+          write(directory + "/obstacle.vtu",
+                obstacle_shape(body, units, *gap, moved));
         if (contact_face)
           {
             auto face        = ThermoContact::contact_face(body, state, units);

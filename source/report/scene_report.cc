@@ -500,10 +500,11 @@ namespace ThermoContact
       }
     if (scene.contact.law->is_active() && !scene.contact.has_uniform_gap())
       {
+        const auto &gaps = simulation.body().obstacle.gaps_at_start();
         const auto [smallest, largest] =
-          simulation.discretization().contact_end().range_of_gap();
-        log.line("  gap       " + units.text("length", smallest) + " to " +
-                 units.text("length", largest) + " at the contact nodes" +
+          std::minmax_element(gaps.begin(), gaps.end());
+        log.line("  gap       " + units.text("length", *smallest) + " to " +
+                 units.text("length", *largest) + " at the contact nodes" +
                  (scene.sources.has_moving_obstacle ? ", at t = 0" : ""));
       }
     report_warnings(simulation.history().warnings, 0, log);

@@ -33,15 +33,7 @@ namespace ThermoContact
     , row(scene.row)
     , profile(scene.profile)
     , obstacle_mass(scene.obstacle_mass)
-    , gap(scene.contact.gap)
-  {
-    if (scene.contact.law->is_active() &&
-        (!scene.contact.has_uniform_gap() || scene.sources.has_moving_obstacle))
-      {
-        gap            = 0.;
-        gap_expression = *scene.gap_expression;
-      }
-  }
+  {}
 
 
 
@@ -106,11 +98,9 @@ namespace ThermoContact
                    w,
                    x,
                    y,
-                   z,
-                   zz,
-                   zzz] = all;
-      const auto others = std::tie(
-        d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, x, y, z, zz, zzz);
+                   z] = all;
+      const auto others =
+        std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, x, y, z);
       return std::tuple_cat(
         members(a), members(b), members(c), members(v), members(w), others);
     }

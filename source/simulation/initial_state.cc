@@ -297,7 +297,8 @@ namespace ThermoContact
                     const State              &state,
                     std::vector<std::string> &warnings)
     {
-      const double gap = body.contact_end().range_of_gap().first;
+      const auto  &gaps = body.obstacle.gaps_at_start();
+      const double gap  = *std::min_element(gaps.begin(), gaps.end());
       // of the largest magnitude: one behind the end pushes with a negative one
       const double pressure =
         *std::max_element(state.contact_pressure.begin(),
@@ -347,7 +348,7 @@ namespace ThermoContact
                 std::vector<std::string> &warnings)
   {
     const Discretization<dim> &discretization = body.discretization;
-    State                      state          = discretization.make_state();
+    State                      state          = body.make_state();
     body.obstacle.place(0., 0., state);
     {
       std::unique_ptr<const CellProducts<dim, double>> own_products;

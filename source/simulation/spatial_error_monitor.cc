@@ -8,10 +8,8 @@
 #include <thermocontact/method/critical_step.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
 
+#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
-
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,19 +32,16 @@ namespace ThermoContact
 
     /** Weights of the nodes of a cell, along it, in coefficient @p n. */
     std::vector<double>
-    legendre_weights(const unsigned int degree, const unsigned int n)
+    legendre_weights(const std::vector<Polynomials::Polynomial<double>> &nodal,
+                     const unsigned int                                  n)
     {
-      const FE_Q<1>   element(degree);
-      const QGauss<1> quadrature(degree + 1);
-      const auto      place =
-        FETools::hierarchic_to_lexicographic_numbering<1>(degree);
-      std::vector<double> weights(degree + 1);
-      for (unsigned int i = 0; i <= degree; ++i)
+      const QGauss<1>     quadrature(nodal.size());
+      std::vector<double> weights(nodal.size());
+      for (unsigned int i = 0; i < nodal.size(); ++i)
         for (unsigned int q = 0; q < quadrature.size(); ++q)
-          weights[place[i]] +=
-            (2. * n + 1.) * quadrature.weight(q) *
-            element.shape_value(i, quadrature.point(q)) *
-            std::legendre(n, 2. * quadrature.point(q)[0] - 1.);
+          weights[i] += (2. * n + 1.) * quadrature.weight(q) *
+                        nodal[i].value(quadrature.point(q)[0]) *
+                        std::legendre(n, 2. * quadrature.point(q)[0] - 1.);
       return weights;
     }
   } // namespace
@@ -95,9 +90,11 @@ namespace ThermoContact
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       cell_sizes.push_back(cell->extent_in_direction(0));
-    const unsigned int p = layout.degree;
-    upper_weights        = legendre_weights(p, p);
-    lower_weights        = legendre_weights(p, p - 1);
+    const unsigned int p     = layout.degree;
+    const auto         nodal = Polynomials::generate_complete_Lagrange_basis(
+      QGaussLobatto<1>(p + 1).get_points());
+    upper_weights = legendre_weights(nodal, p);
+    lower_weights = legendre_weights(nodal, p - 1);
     if (p <= highest_low_degree)
       {
         make_factors(Field::temperature, 0);

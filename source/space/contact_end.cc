@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/collective.h>
-#include <thermocontact/base/exceptions.h>
-#include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/contact_end.h>
 #include <thermocontact/space/discretization.h>
@@ -100,25 +98,6 @@ namespace ThermoContact
 
 
 
-  namespace
-  {
-    /** An expression may be finite at the axis and not at a node. */
-    template <int dim>
-    void
-    check_gap(const ContactNode<dim> &node)
-    {
-      if (dim == 1 || std::isfinite(node.gap))
-        return;
-      throw InputError(
-        text("Contact/Gap: not finite at y = ",
-             node.position[dim > 1 ? 1 : 0],
-             dim > 2 ? text(", z = ", node.position[dim - 1]) : "",
-             "\n  allowed: an expression that is finite on the contact end"));
-    }
-  } // namespace
-
-
-
   template <int dim>
   unsigned int
   contact_face(const typename DoFHandler<dim>::active_cell_iterator &cell)
@@ -133,13 +112,12 @@ namespace ThermoContact
 
 
   template <int dim>
-  ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization,
-                              const Function<dim>       &gap)
+  ContactEnd<dim>::ContactEnd(const Discretization<dim> &discretization)
     : communicator(discretization.communicator())
     , cross_section(discretization.geometry().cross_section())
     , all_nodes_(discretization.row().is_given() ?
-                   find_nodes_of_row(discretization, gap) :
-                   find_nodes(discretization, gap))
+                   find_nodes_of_row(discretization) :
+                   find_nodes(discretization))
     , nodes_(all_nodes_)
   {
     for (const Field::Block field : all_fields)
@@ -169,8 +147,8 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<ContactNode<dim>>
-  ContactEnd<dim>::find_nodes_of_row(const Discretization<dim> &discretization,
-                                     const Function<dim>       &gap) const
+  ContactEnd<dim>::find_nodes_of_row(
+    const Discretization<dim> &discretization) const
   {
     const BodyRow                       &row = discretization.row();
     const FiniteElement<dim>            &fe  = discretization.finite_element();
@@ -201,7 +179,6 @@ namespace ThermoContact
             nodes.push_back({cell->vertex(0),
                              dof_at(0),
                              weight,
-                             row.contacts[next].gap,
                              exchange_of(row.contacts[next]),
                              dof_at(1)});
             ++next;
@@ -213,7 +190,6 @@ namespace ThermoContact
             {cell->vertex(1),
              dof_at(1),
              weight,
-             gap.value(cell->vertex(1)),
              row.meets_obstacle ? discretization.exchange_coefficient() : 0.});
       }
     return nodes;
@@ -223,8 +199,7 @@ namespace ThermoContact
 
   template <int dim>
   std::vector<ContactNode<dim>>
-  ContactEnd<dim>::find_nodes(const Discretization<dim> &discretization,
-                              const Function<dim>       &gap) const
+  ContactEnd<dim>::find_nodes(const Discretization<dim> &discretization) const
   {
     std::map<Dofs, ContactNode<dim>> nodes;
     for (const auto &of_rank :
@@ -232,7 +207,7 @@ namespace ThermoContact
       for (const auto &[dofs, weight, position] : of_rank)
         {
           ContactNode<dim> &node =
-            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0., 0.})
+            nodes.emplace(dofs, ContactNode<dim>{position, dofs, 0.})
               .first->second;
           node.weight += weight;
         }
@@ -240,10 +215,8 @@ namespace ThermoContact
     for (const auto &[dofs, node] : nodes)
       {
         sorted.push_back(node);
-        sorted.back().gap = gap.value(node.position);
         sorted.back().partner[Field::displacement] =
           discretization.obstacle_dof();
-        check_gap(sorted.back());
       }
 
     std::sort(sorted.begin(),
@@ -329,21 +302,6 @@ namespace ThermoContact
     for (const auto &[i, entry] : partners_[field])
       if (i == node)
         vector.begin()[entry] -= part;
-  }
-
-
-
-  template <int dim>
-  std::pair<double, double>
-  ContactEnd<dim>::range_of_gap() const
-  {
-    const auto [smallest, largest] =
-      std::minmax_element(all_nodes_.begin(),
-                          all_nodes_.end(),
-                          [](const auto &a, const auto &b) {
-                            return a.gap < b.gap;
-                          });
-    return {smallest->gap, largest->gap};
   }
 
 

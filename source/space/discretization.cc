@@ -3,7 +3,6 @@
 #include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/discretization.h>
-#include <thermocontact/space/problem_data.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -72,8 +71,7 @@ namespace ThermoContact
     collect_nodal_values();
     if (dim > 1)
       add_ghosts_of_cells();
-    contact_end_ =
-      std::make_unique<const ContactEnd<dim>>(*this, *contact_gap<dim>(scene));
+    contact_end_ = std::make_unique<const ContactEnd<dim>>(*this);
   }
 
 
@@ -424,9 +422,8 @@ namespace ThermoContact
     state.velocity     = make_vector(Field::displacement);
     state.contact_pressure.assign(contact_end_->n_nodes(), 0.);
     state.exchange_coefficient = state.contact_pressure;
-    for (const ContactNode<dim> &node : contact_end_->nodes())
-      state.gap.push_back(node.gap);
-    state.gap_rate = state.contact_pressure;
+    state.gap                  = state.contact_pressure;
+    state.gap_rate             = state.contact_pressure;
     return state;
   }
 

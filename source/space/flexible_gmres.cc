@@ -8,15 +8,19 @@ namespace ThermoContact
 {
   FlexibleGmres::FlexibleGmres(const unsigned int max_directions)
     : max_directions(max_directions)
-  {}
+  {
+    basis.reserve(max_directions); // else they are copied as their number grows
+    directions.reserve(max_directions);
+  }
 
 
 
   void
   FlexibleGmres::extend_basis()
   {
-    basis.push_back(residual);
-    basis.back() *= residual_norm > 0. ? 1. / residual_norm : 0.;
+    basis.emplace_back();
+    basis.back().reinit(residual, true);
+    basis.back().equ(residual_norm > 0. ? 1. / residual_norm : 0., residual);
   }
 
 
@@ -35,7 +39,8 @@ namespace ThermoContact
   void
   FlexibleGmres::keep_direction()
   {
-    Direction kept;
+    directions.emplace_back(); // such vectors cannot be moved, only copied
+    Direction &kept = directions.back();
     kept.values.reinit(direction.n_blocks());
     for (unsigned int i = 0; i < direction.n_blocks(); ++i)
       kept.values.block(i).reinit(direction.block(i).get_partitioner());
@@ -53,7 +58,6 @@ namespace ThermoContact
               kept.scales[i] * double(rounded.local_element(k));
           }
       }
-    directions.push_back(std::move(kept));
   }
 
 

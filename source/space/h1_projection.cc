@@ -345,9 +345,11 @@ namespace ThermoContact
           if (dim == 1 && discretization.degree() == 1)
             continue; // vertices alone
           const Vector rhs = rest_of_interpolant(function, field);
+          if (rhs.linfty_norm() == 0.)
+            continue;
           if constexpr (dim == 1)
             add_in_cells(field, rhs, values);
-          else if (rhs.linfty_norm() > 0.)
+          else
             add_solution({[&](Vector &y, const Vector &x) {
                            products->laplacian(field, y, x);
                          }},

@@ -4,23 +4,53 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/space/obstacle_motion.h>
+#include <thermocontact/space/problem_data.h>
 
 #include <cmath>
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** An expression may be finite at the axis and not at a node. */
+    template <int dim>
+    void
+    check_gap(const double gap, const Point<dim> &place)
+    {
+      if (dim == 1 || std::isfinite(gap))
+        return;
+      throw InputError(
+        text("Contact/Gap: not finite at y = ",
+             place[dim > 1 ? 1 : 0],
+             dim > 2 ? text(", z = ", place[dim - 1]) : "",
+             "\n  allowed: an expression that is finite on the contact end"));
+    }
+  } // namespace
+
+
+
   template <int dim>
   ObstacleMotion<dim>::ObstacleMotion(const Scene           &scene,
                                       const ContactEnd<dim> &end)
     : n_nodes(end.n_nodes())
     , contact(scene.contact)
   {
+    const auto gap = contact_gap<dim>(scene);
+    for (const ContactNode<dim> &node : end.all_nodes())
+      {
+        gaps_at_start_.push_back(
+          gaps_at_start_.size() < scene.row.contacts.size() ?
+            scene.row.contacts[gaps_at_start_.size()].gap : // come first
+            gap->value(node.position));
+        check_gap(gaps_at_start_.back(), node.position);
+      }
     if (!scene.sources.has_moving_obstacle)
       return;
     for (const ContactNode<dim> &node : end.nodes())
       if (node.has_partner(Field::displacement))
         {
-          gaps_of_bodies.push_back(TimeDerivatives(node.gap));
+          gaps_of_bodies.push_back(
+            TimeDerivatives(gaps_at_start_[gaps_of_bodies.size()]));
           continue;
         }
       else

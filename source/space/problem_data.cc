@@ -128,10 +128,12 @@ namespace ThermoContact
 
   template <int dim>
   std::unique_ptr<Function<dim>>
-  contact_gap(const SpatialScene &scene)
+  contact_gap(const Scene &scene)
   {
-    if (!scene.gap_expression)
-      return std::make_unique<Functions::ConstantFunction<dim>>(scene.gap);
+    if (!scene.contact.law->is_active() ||
+        (scene.contact.has_uniform_gap() && !scene.sources.has_moving_obstacle))
+      return std::make_unique<Functions::ConstantFunction<dim>>(
+        scene.contact.gap);
     return std::make_unique<ExpressionFunction<dim>>(
       std::vector<Expression>{*scene.gap_expression});
   }
@@ -272,11 +274,11 @@ namespace ThermoContact
 
 
   template std::unique_ptr<Function<1>>
-  contact_gap(const SpatialScene &);
+  contact_gap(const Scene &);
   template std::unique_ptr<Function<2>>
-  contact_gap(const SpatialScene &);
+  contact_gap(const Scene &);
   template std::unique_ptr<Function<3>>
-  contact_gap(const SpatialScene &);
+  contact_gap(const Scene &);
 
   template struct ProblemData<1>;
   template struct ProblemData<2>;

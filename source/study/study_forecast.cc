@@ -71,18 +71,18 @@ namespace ThermoContact
       SceneReader      reader(plan.assignments);
       StudyForecast    forecast;
       const auto       read = [&](const Overrides &overrides) {
-        plan.read_scene(overrides, reader);
-        forecast.has_bodies |= reader.scene().dimension > 1;
-        return Scene(reader.scene());
+        auto scene = plan.read_scene(overrides, reader);
+        forecast.has_bodies |= scene->parameters.dimension > 1;
+        return scene;
       };
       for (const unsigned int run : runs)
         try
           {
-            const Scene scene = read(plan.overrides(run));
+            const auto scene = read(plan.overrides(run));
             if (!table.has(run))
               forecast.runs.push_back(
-                {plan.description(run), expected_memory(scene, 1)});
-            forecast.steps += expected_cost(scene, loads_of(scene)).steps;
+                {plan.description(run), expected_memory(*scene, 1)});
+            forecast.steps += expected_cost(*scene, loads_of(*scene)).steps;
           }
         catch (const InputError &error)
           {
@@ -91,7 +91,8 @@ namespace ThermoContact
                 "\n  " + plan.description(run) + ": " + error.what();
           }
       if (plan.reference)
-        forecast.bytes_of_reference = expected_memory(read(*plan.reference), 1);
+        forecast.bytes_of_reference =
+          expected_memory(*read(*plan.reference), 1);
       return forecast;
     }
 
@@ -191,8 +192,7 @@ namespace ThermoContact
     for (unsigned int run = 0; run < plan.n_runs(); ++run)
       try
         {
-          plan.read_scene(plan.overrides(run), reader);
-          loads_of(Scene(reader.scene()));
+          loads_of(*plan.read_scene(plan.overrides(run), reader));
           return;
         }
       catch (const InputError &error)

@@ -454,17 +454,18 @@ namespace ThermoContact
 
 
 
-  void
+  std::unique_ptr<const Scene>
   StudyPlan::read_scene(const Overrides &overrides, SceneReader &reader) const
   {
     reader.read(reference && overrides == *reference ? "Study/Reference" :
                                                        "Study/Vary",
                 overrides);
-    const Scene scene(reader.scene());
-    for (const auto &unused : unused_entries(scene))
+    auto scene = std::make_unique<const Scene>(reader.scene());
+    for (const auto &unused : unused_entries(*scene))
       if (const auto value = find_override(overrides, unused.path))
         throw InputError(unused.path + " = " + *value +
                          " has no effect, since " + unused.reason);
-    check_scene(scene);
+    check_scene(*scene);
+    return scene;
   }
 } // namespace ThermoContact

@@ -137,9 +137,9 @@ namespace ThermoContact
     StudyRun run;
     try
       {
-        plan.read_scene(overrides, reader);
-        const Scene scene(reader.scene());
-        run.scales = scene.parameters.scales;
+        const auto   own   = plan.read_scene(overrides, reader);
+        const Scene &scene = *own;
+        run.scales         = scene.parameters.scales;
         if (!directory.empty())
           {
             prepare_output_directory(directory, MPI_COMM_SELF);

@@ -77,7 +77,7 @@ namespace ThermoContact
     , momentum_lift(rates.velocity)
     , velocity_change(rates.velocity)
     , viscous_part(rates.velocity)
-    , stage(body.discretization.make_state())
+    , stage(body.make_state())
     , acceleration(rates.velocity)
   {
     for (const auto &sides : contact_sides(body))

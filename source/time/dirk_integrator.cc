@@ -50,7 +50,7 @@ namespace ThermoContact
     , stages(of_scheme.n_stages())
     , accelerations(of_scheme.n_stages(),
                     body.discretization.make_vector(Field::displacement))
-    , known(body.discretization.make_state())
+    , known(body.make_state())
     , difference(known)
     , heat_load(body.discretization.make_vector(Field::temperature))
     , momentum_load(body.discretization.make_vector(Field::displacement))

@@ -14,7 +14,7 @@ namespace ThermoContact
     : body(body)
     , solver(body)
     , driven(body)
-    , midpoint(body.discretization.make_state())
+    , midpoint(body.make_state())
     , heat_load(body.discretization.make_vector(Field::temperature))
     , momentum_load(body.discretization.make_vector(Field::displacement))
     , nodes(body,

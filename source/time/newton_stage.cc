@@ -20,7 +20,7 @@ namespace ThermoContact
   NewtonStage<dim>::NewtonStage(const Body<dim> &body)
     : body(body)
     , linear(body)
-    , end(body.discretization.make_state())
+    , end(body.make_state())
     , acceleration(body.discretization.make_vector(Field::displacement))
     , heat(body.discretization.make_vector(Field::temperature))
     , momentum(acceleration)

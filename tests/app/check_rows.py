@@ -6,7 +6,7 @@ hopkinson-bar: rho c A V/2 for 2 L/c at the striker, until its wave is back; the
 sqrt(70/210 2700/7850) Z: the first force it passes on is the incident one times 4 Z Z2/(Z + Z2)^2; later forces
 approach the incident one, at both faces alike.
 horn: the mode of its head; the stress is E u_x of it, whatever the section.
-hot-bar: the force of its head, int theta K/int K/E by the integrals over theta there.
+bolt: the preload of its head, at every row; hot-bar: the force of its head, int theta K/int K/E by the integrals over theta there.
 cradle, drop-weight, bouncing-ball: tests/verification/rows.cc; here impulses and events by name.
 rattling-rods: the pressure swings about 1 with growing amplitude, up to where k is cut.
 In fields the bodies stand side by side, and nothing is drawn between them.
@@ -102,6 +102,10 @@ elif title == "Hot bar":
     soft = kappa / gamma * hot + (kappa / gamma - 1) * math.log(1 - gamma * hot) / gamma
     last = table("bar-obstacle")
     check("force", last["contact_force"][-1] / (21e6 * 12e-6 * heat / soft), 1, 1e-6)
+elif title.startswith("Bolt"):
+    plates = table("upper-lower")
+    lost = 12e-6 * 0.04 * 100 / (1 / 304.5e6 + 1 / 2100e6) * (1 - numpy.exp(-plates["time"] / 10))
+    check("preload", abs(plates["contact_force"] - 20e3 + lost).max(), 0, 1e-6)
 elif title.startswith("Bouncing"):
     check("bounces", float(first["ball-obstacle"]["velocity"]), 2, 1e-12)
     check("restitution", run.summary["restitution"], 0, 1e-3)

@@ -21,6 +21,7 @@ SCENES = [
      ("Bodies/a/Stiffness=1+theta", "Dimension=1")),
     ("Bodies/a/Stiffness", PLATE, "Bodies/a/Stiffness=y-0.05", "Bodies/a/Stiffness=y+0.05"),
     ("Bodies/a/Density", PLATE, "Bodies/a/Density=1/x", "Bodies/a/Density=1/(x+1)"),
+    ("Bodies/a/Density", PLATE, "Bodies/a/Density=1/(x-0.4)^2", "Bodies/a/Density=1/(x+1)^2"),
     # cells that end at jumps
     ("Mesh/Cells", LAYERS, "Mesh/Cells=1", "Mesh/Cells=2"),
     ("Mesh/Cells across", LAYERS, "Mesh/Cells across=1", "Mesh/Cells across=2"),

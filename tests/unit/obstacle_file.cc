@@ -50,17 +50,18 @@ main_obstacle_file()
       std::vector<std::string> all(entries);
       if (has_rear_stop)
         all.push_back("Contact/Rear gap=0.01");
-      const Scene          scene(read_parameters("", all));
-      const Body<2>        body(scene, MPI_COMM_SELF);
-      const ContactEnd<2> &end = body.contact_end();
-      const OutputUnits    units(scene.parameters);
+      const Scene       scene(read_parameters("", all));
+      const Body<2>     body(scene, MPI_COMM_SELF);
+      const auto       &gaps = body.obstacle.gaps_at_start();
+      const OutputUnits units(scene.parameters);
       if (!has_rear_stop)
-        deallog << "nodes with pressure " << end.n_nodes() << ", gap"
-                << std::endl;
+        deallog << "nodes with pressure " << body.contact_end().n_nodes()
+                << ", gap" << std::endl;
       else
-        deallog << "range " << end.range_of_gap().first << ' '
-                << end.range_of_gap().second << std::endl
+        deallog << "range " << *std::min_element(gaps.begin(), gaps.end())
+                << ' ' << *std::max_element(gaps.begin(), gaps.end())
+                << std::endl
                 << "with a rear stop, x - 1" << std::endl;
-      print(obstacle_shape(body, units), has_rear_stop);
+      print(obstacle_shape(body, units, *contact_gap<2>(scene)), has_rear_stop);
     }
 }

@@ -51,10 +51,19 @@ namespace ThermoContact
     return object;
   }
 
+  /** A rank that is alone has nobody to write for. */
+  inline bool
+  is_alone(const MPI_Comm communicator)
+  {
+    return dealii::Utilities::MPI::n_mpi_processes(communicator) == 1;
+  }
+
   template <typename Object>
   std::vector<Object>
   all_gather(const MPI_Comm communicator, const Object &object)
   {
+    if (is_alone(communicator))
+      return {object};
     std::vector<Object> all;
     for (const std::string &bytes : all_gather(communicator, to_bytes(object)))
       all.push_back(from_bytes<Object>(bytes));
@@ -67,6 +76,8 @@ namespace ThermoContact
             const Object      &object,
             const unsigned int root = 0)
   {
+    if (is_alone(communicator))
+      return object;
     return from_bytes<Object>(broadcast(communicator, to_bytes(object), root));
   }
 

@@ -53,53 +53,59 @@ namespace ThermoContact
               const LevelVector<Number> &fine) const;
 
   private:
-    /**
-     * Of a node between nodes of the coarse grid along some directions, the
-     * bits of @p between: it depends on all nodes of the cell there, on one
-     * along the others.
-     */
+    /** How a node depends on those of the coarse grid along one direction: on
+     * one at its place, or on all of the cell there. */
+    struct Stencil
+    {
+      unsigned int          n_nodes;
+      std::array<Number, 3> weights;
+    };
+
+    /** A node of the finer level. */
     struct Entry
     {
-      unsigned int                           between;
-      unsigned int                           first; ///< of the coarse vector
-      std::array<std::array<Number, 3>, dim> weights;
+      unsigned int first;                 ///< of its nodes in the coarse vector
       std::array<unsigned int, dim> rows; ///< of components in the fine vector
     };
 
-    std::vector<Entry>          entries; ///< by @p between
+    /** Entries with the same stencils, one behind the other. */
+    struct Run
+    {
+      unsigned int                  end; ///< behind its entries
+      std::array<unsigned int, dim> stencils;
+    };
+
+    /** The stencils of a run: lines of nodes, which are neighbours in the
+     * coarse vector, along the last direction. */
+    struct Lines
+    {
+      unsigned int                n_lines = 0;
+      std::array<unsigned int, 9> offsets; ///< to @p first
+      std::array<Number, 9>       weights;
+      Stencil                     along;
+    };
+
+    std::vector<Stencil>        stencils;
+    std::vector<Run>            runs;
+    std::vector<Entry>          entries;
     std::array<unsigned int, 3> strides; ///< to the next node of the grid
-    unsigned int                degree;
     unsigned int                n_components;
     MPI_Comm                    communicator = MPI_COMM_SELF;
 
     void
     sum_over_ranks(LevelVector<Number> &coarse) const;
 
-    /** Calls @p visit(entry of the coarse vector, weight). */
+    Lines
+    lines_of(const Run &run, const bool is_diagonal) const;
+
+    /**
+     * Calls @p visit(n, n_along, lines, begin, end) for the entries of each run,
+     * with constants of the compiler for the components and the nodes of a
+     * line.
+     */
     template <typename Visit>
     void
-    visit_weights(const Entry &entry, const Visit &visit) const
-    {
-      const auto last = [&](const unsigned int d) {
-        return (entry.between >> d & 1U) != 0 ? degree : 0U;
-      };
-      for (unsigned int i = 0; i <= last(0); ++i)
-        for (unsigned int j = 0; j <= last(1); ++j)
-          for (unsigned int k = 0; k <= last(2); ++k)
-            visit(entry.first + i * strides[0] + j * strides[1] +
-                    k * strides[2],
-                  entry.weights[0][i] * entry.weights[1][j] *
-                    (dim == 3 ? entry.weights[dim - 1][k] : Number(1)));
-    }
-
-    template <unsigned int n>
-    void
-    prolongate(Number *fine, const Number *coarse) const;
-
-    template <unsigned int n>
-    void restrict(Number       *coarse,
-                  const Number *fine,
-                  const bool    is_diagonal) const;
+    visit_runs(const bool is_diagonal, const Visit &visit) const;
   };
 } // namespace ThermoContact
 

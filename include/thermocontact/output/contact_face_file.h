@@ -28,16 +28,15 @@ namespace ThermoContact
    * displacement (gap, 0, 0); of one behind the end $(-g_2,0,0)$ at nodes
    * behind those.
    *
-   * @param gap of an obstacle that moves, at the time of the file; else the
-   *   gaps are those of the nodes
+   * @param gap at the time of the file
    * @param moved displacement of an obstacle that has a mass
    */
   template <int dim>
   VtuCells<dim - 1, dim>
   obstacle_shape(const Body<dim>             &body,
                  const OutputUnits           &units,
-                 const dealii::Function<dim> *gap   = nullptr,
-                 const double                 moved = 0.);
+                 const dealii::Function<dim> &gap,
+                 const double                 moved);
 } // namespace ThermoContact
 
 #endif

@@ -44,8 +44,6 @@ namespace ThermoContact
     BodyRow                      row;
     std::optional<BodyProfile>   profile;
     std::optional<ObstacleMass>  obstacle_mass;
-    double                       gap; ///< $g$ of all nodes; 0 with a shape
-    std::optional<Expression>    gap_expression; ///< of a shape or a motion
 
     bool
     operator==(const SpatialScene &other) const;

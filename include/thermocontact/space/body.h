@@ -15,6 +15,7 @@
 #include <thermocontact/space/surroundings.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -65,6 +66,17 @@ namespace ThermoContact
     law() const
     {
       return *scene.contact.law;
+    }
+
+    /** A state of zeros with the gaps at $t=0$. */
+    State
+    make_state() const
+    {
+      State state = discretization.make_state();
+      std::copy_n(obstacle.gaps_at_start().begin(),
+                  state.gap.size(),
+                  state.gap.begin());
+      return state;
     }
 
     const ContactEnd<dim> &

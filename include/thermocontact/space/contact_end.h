@@ -39,9 +39,6 @@ namespace ThermoContact
     /** $w_i=\int_{\Gamma_C}\varphi_i$, the lumped boundary mass. */
     double weight;
 
-    /** $g$ of the undeformed body there, at $t=0$. */
-    double gap;
-
     /** $k$ of a contact of a row if that is a number, which matrices contain.
      */
     double own_exchange = 0.;
@@ -76,11 +73,8 @@ namespace ThermoContact
   public:
     /**
      * @param discretization borrowed; its degrees of freedom are distributed
-     * @param gap $g$ at the places of the end
-     * @throw InputError if it is not finite at a node
      */
-    ContactEnd(const Discretization<dim> &discretization,
-               const Function<dim>       &gap);
+    explicit ContactEnd(const Discretization<dim> &discretization);
 
     /**
      * The nodes that can meet the obstacle, in order of their position; on all
@@ -114,10 +108,6 @@ namespace ThermoContact
     {
       return all_nodes_.size();
     }
-
-    /** The smallest gap of all nodes at $t=0$, and the largest. */
-    std::pair<double, double>
-    range_of_gap() const;
 
     /**
      * Locally owned nodes: index of the node, position of its value (for the
@@ -253,13 +243,11 @@ namespace ThermoContact
 
     /** Where the bodies of a row can meet, from the left. */
     std::vector<ContactNode<dim>>
-    find_nodes_of_row(const Discretization<dim> &discretization,
-                      const Function<dim>       &gap) const;
+    find_nodes_of_row(const Discretization<dim> &discretization) const;
 
     /** All nodes of the end; those without weight last. */
     std::vector<ContactNode<dim>>
-    find_nodes(const Discretization<dim> &discretization,
-               const Function<dim>       &gap) const;
+    find_nodes(const Discretization<dim> &discretization) const;
 
     /** Values at the nodes of @p entries, gathered on all ranks. */
     void

@@ -376,7 +376,7 @@ namespace ThermoContact
                                              0;
     }
 
-    /** A state of zeros. */
+    /** A state of zeros; Body::make_state() has the gaps of the scene. */
     State
     make_state() const;
 

@@ -12,19 +12,29 @@
 namespace ThermoContact
 {
   /**
-   * An obstacle that moves: gaps $g(t)$ of the contact nodes, or $g(y,z,t)$ at
-   * their places, with their rates; doc/contact-in-time.md section 8. The gaps
-   * of an obstacle that stands still never change. Nondimensional; the obstacle
-   * goes away from the body where the rate is positive.
+   * Gaps $g(t)$ of the contact nodes, or $g(y,z,t)$ at their places, with their
+   * rates; doc/contact-in-time.md section 8. The gaps of an obstacle that
+   * stands still never change. Nondimensional; the obstacle goes away from the
+   * body where the rate is positive.
    */
   template <int dim>
   class ObstacleMotion
   {
   public:
-    /** @param end of the body */
+    /**
+     * @param end of the body
+     * @throw InputError if a gap is not finite
+     */
     ObstacleMotion(const Scene &scene, const ContactEnd<dim> &end);
 
-    /** False: everything here does nothing. */
+    /** Of all nodes of the end, undeformed. */
+    const std::vector<double> &
+    gaps_at_start() const
+    {
+      return gaps_at_start_;
+    }
+
+    /** False: it stands still, and what follows does nothing. */
     bool
     is_active() const
     {
@@ -57,6 +67,7 @@ namespace ThermoContact
   private:
     const unsigned int  n_nodes;
     const SceneContact &contact;
+    std::vector<double> gaps_at_start_;
 
     /** The gaps between the bodies of a row, whose nodes are the first ones;
      * they stay. */

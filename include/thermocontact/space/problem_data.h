@@ -4,7 +4,7 @@
 #define thermocontact_space_problem_data_h
 
 #include <thermocontact/base/types.h>
-#include <thermocontact/scene/spatial_scene.h>
+#include <thermocontact/scene/scene.h>
 #include <thermocontact/space/expression_function.h>
 
 #include <deal.II/base/function.h>
@@ -20,7 +20,7 @@ namespace ThermoContact
    */
   template <int dim>
   std::unique_ptr<Function<dim>>
-  contact_gap(const SpatialScene &scene);
+  contact_gap(const Scene &scene);
 
 
 

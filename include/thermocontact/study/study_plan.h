@@ -3,8 +3,10 @@
 #ifndef thermocontact_study_study_plan_h
 #define thermocontact_study_study_plan_h
 
+#include <thermocontact/scene/scene.h>
 #include <thermocontact/study/scene_reader.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -81,11 +83,11 @@ namespace ThermoContact
     /**
      * Reads and checks the scene with @p overrides.
      *
-     * @param reader of the assignments; it has the scene then
+     * @param reader of the assignments; it has the entries then
      * @throw InputError if an entry is overridden twice or without effect, or
      *   the scene cannot be run
      */
-    void
+    std::unique_ptr<const Scene>
     read_scene(const Overrides &overrides, SceneReader &reader) const;
 
   private:
