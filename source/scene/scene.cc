@@ -288,7 +288,9 @@ namespace ThermoContact
       const BoundaryParameters::Right &right = parameters.boundary.right;
       if (scheme.has_no_dispersion || right.mass > 0. || right.dashpot > 0. ||
           parameters.has_row() || parameters.obstacle_mass() != nullptr)
-        return false; // its mass matrix knows no single nodes, or they carry it
+        // its mass matrix knows no single nodes, they carry something, or what
+        // they meet moves by itself
+        return false;
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
       if (contact.is_damped())

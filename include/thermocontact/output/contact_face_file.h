@@ -36,7 +36,7 @@ namespace ThermoContact
   obstacle_shape(const Body<dim>             &body,
                  const OutputUnits           &units,
                  const dealii::Function<dim> &gap,
-                 const double                 moved);
+                 const double                 moved = 0.);
 } // namespace ThermoContact
 
 #endif
