@@ -466,7 +466,8 @@ namespace ThermoContact
     for (const auto &[name, value] : time_scales(scene))
       scales.push_back(name + ' ' + units.text("time", value));
     if (!scales.empty())
-      log.line("  scales    " + join_words(scales));
+      log.line("  scales    " + join_words(scales) +
+               (coefficients.empty() ? "" : ", of coefficients 1"));
     log.line("  steady    " + describe_rest(forecast.rest, scene));
     if (forecast.impact)
       log.line("  impact    " + describe_impact(*forecast.impact, units));

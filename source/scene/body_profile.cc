@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/scene/body_profile.h>
 
 #include <algorithm>
@@ -85,19 +83,6 @@ namespace ThermoContact
 
 
 
-  bool
-  BodyProfile::varies_across() const
-  {
-    const auto expressions = all.expressions();
-    return std::any_of(expressions.begin(),
-                       expressions.end(),
-                       [](const Expression *const one) {
-                         return one->depends_on("y") || one->depends_on("z");
-                       });
-  }
-
-
-
   const Expression *
   BodyProfile::of_temperature() const
   {
@@ -136,21 +121,9 @@ namespace ThermoContact
         for (unsigned int k = 0; k < 2; ++k)
           line[k] = lines[(1 + k) * i % lines.size()] *
                     (names[k] == axis_names[0] ? 1. : width);
-        const EnclosedLoad found =
-          enclose_load(TimeFunction(coefficient, line), length);
-        if (!found.is_resolved)
-          throw InputError(
-            text(coefficient.path(),
-                 " = ",
-                 coefficient.text(),
-                 found.is_infinite ? ": not finite" : ": changes too fast",
-                 " near ",
-                 axis_names[direction],
-                 " at ",
-                 significant(100. * found.time / length, 6),
-                 " % of the body\n  allowed: finite values, and jumps that "
-                 "can be told apart\n  remedy:  a smoother expression"));
-        for (const LoadBreak &one : found.history.breaks)
+        const TimeFunction along(coefficient, line);
+        for (const LoadBreak &one :
+             breaks_along(along, length, axis_names[direction] + " at "))
           if ((one.is_jump || takes_kinks) &&
               one.time > Tolerances::thinnest_layer * length &&
               one.time < (1. - Tolerances::thinnest_layer) * length)

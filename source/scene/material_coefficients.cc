@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/scene/material_coefficients.h>
 
 #include <algorithm>
@@ -40,6 +41,28 @@ namespace ThermoContact
   operator==(const RodCoefficients &one, const RodCoefficients &other)
   {
     return parts_of(one) == parts_of(other);
+  }
+
+
+
+  std::vector<LoadBreak>
+  breaks_along(const TimeFunction &coefficient,
+               const double        length,
+               const std::string  &coordinate)
+  {
+    const EnclosedLoad found = enclose_load(coefficient, length);
+    if (!found.is_resolved)
+      throw InputError(
+        text(coefficient.expression.path(),
+             " = ",
+             coefficient.expression.text(),
+             found.is_infinite ? ": not finite" : ": changes too fast",
+             " near ",
+             coordinate,
+             significant(100. * found.time / length, 6),
+             " % of the body\n  allowed: finite values, and jumps that can be "
+             "told apart\n  remedy:  a smoother expression"));
+    return found.history.breaks;
   }
 
 

@@ -4,7 +4,6 @@
 #include <thermocontact/base/shares.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/scene/rod_profile.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -108,19 +107,7 @@ namespace ThermoContact
   void
   RodProfile::find_breaks(const Expression &coefficient, const bool takes_kinks)
   {
-    const EnclosedLoad found = enclose_load(TimeFunction(coefficient), length);
-    if (!found.is_resolved)
-      throw InputError(
-        text(coefficient.path(),
-             " = ",
-             coefficient.text(),
-             found.is_infinite ? ": not finite" : ": changes too fast",
-             " near ",
-             significant(100. * found.time / length, 6),
-             " % of the rod\n  allowed: finite values, and jumps "
-             "that can be told apart\n  remedy:  a smoother "
-             "expression"));
-    for (const LoadBreak &one : found.history.breaks)
+    for (const LoadBreak &one : breaks_along(TimeFunction(coefficient), length))
       if (const double x = one.time;
           (one.is_jump || takes_kinks) &&
           std::none_of(ends.begin(), ends.end(), [&](const double end) {

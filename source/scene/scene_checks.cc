@@ -741,6 +741,29 @@ namespace ThermoContact
 
 
 
+    /** Entries that neither a row nor a mass as the obstacle can have. */
+    void
+    check_entries_beside_bodies(const Scene &scene, const std::string &reason)
+    {
+      const Parameters &parameters = scene.parameters;
+      Refusal{"Solver/Step solver", "fixed point", "monolithic"}.since(
+        scene.is_fixed_point, reason, "Solver/Step solver = monolithic");
+      Refusal{"Time/Scheme", scene.scheme.name, "a scheme of another name"}
+        .since(scene.scheme.integrator == IntegratorKind::energy_conserving,
+               reason,
+               "Time/Scheme = automatic");
+      Refusal{"Time/Start", "paper", "automatic or consistent"}.since(
+        parameters.time.start == "paper", reason, "Time/Start = automatic");
+      Refusal{"Contact/Massless nodes", "on", "automatic or off"}.since(
+        parameters.contact.massless_nodes == "on",
+        reason,
+        "Contact/Massless nodes = automatic");
+      Refusal{"Contact/Rear gap", text(scene.contact.rear_gap), "none"}.since(
+        scene.contact.is_two_sided(), reason, "Contact/Rear gap = none");
+    }
+
+
+
     /** Entries that an obstacle with a mass cannot have, (M10.10). */
     void
     check_obstacle_mass(const Scene &scene)
@@ -794,36 +817,12 @@ namespace ThermoContact
          parameters.contact.condition,
          "an elastic obstacle",
          "Contact/Condition = normal compliance");
-      no(scene.contact.is_two_sided(),
-         "Contact/Rear gap",
-         text(scene.contact.rear_gap),
-         "none",
-         "Contact/Rear gap = none");
       no(scene.sources.has_moving_obstacle,
          "Contact/Gap",
          parameters.contact.gap_expression,
          "a number or an expression in y and z",
          path + "/Velocity: the mass moves by itself");
-      no(parameters.contact.massless_nodes == "on",
-         "Contact/Massless nodes",
-         "on",
-         "automatic or off",
-         "Contact/Massless nodes = automatic");
-      no(scene.is_fixed_point,
-         "Solver/Step solver",
-         "fixed point",
-         "monolithic",
-         "Solver/Step solver = monolithic");
-      no(scene.scheme.integrator == IntegratorKind::energy_conserving,
-         "Time/Scheme",
-         scene.scheme.name,
-         "a scheme of another name",
-         "Time/Scheme = automatic");
-      no(parameters.time.start == "paper",
-         "Time/Start",
-         "paper",
-         "automatic or consistent",
-         "Time/Start = automatic");
+      check_entries_beside_bodies(scene, name);
     }
 
 
@@ -924,50 +923,19 @@ namespace ThermoContact
         return;
       const BodyRow &row  = scene.row;
       const auto     name = "section Bodies makes a row";
-      const auto     no   = [&](const bool         is_there,
-                          const std::string &path,
-                          const std::string &value,
-                          const std::string &allowed,
-                          const std::string &remedy) {
-        Refusal{path, value, allowed}.since(is_there, name, remedy);
-      };
-      no(parameters.mesh.grading != 1.,
-         "Mesh/Grading",
-         text(parameters.mesh.grading),
-         "1",
-         "Bodies/NAME/Cells: each rod has its own");
-      no(scene.is_fixed_point,
-         "Solver/Step solver",
-         "fixed point",
-         "monolithic",
-         "Solver/Step solver = monolithic");
-      no(scene.scheme.integrator == IntegratorKind::energy_conserving,
-         "Time/Scheme",
-         scene.scheme.name,
-         "a scheme of another name",
-         "Time/Scheme = automatic");
-      no(parameters.time.start == "paper",
-         "Time/Start",
-         "paper",
-         "automatic or consistent",
-         "Time/Start = automatic");
-      no(parameters.contact.massless_nodes == "on",
-         "Contact/Massless nodes",
-         "on",
-         "automatic or off",
-         "Contact/Massless nodes = automatic");
-      no(scene.contact.is_two_sided(),
-         "Contact/Rear gap",
-         text(scene.contact.rear_gap),
-         "none",
-         "Contact/Rear gap = none");
-      no(!parameters.contact.gap_expression.empty() &&
-           !scene.row.meets_obstacle,
-         "Contact/Gap",
-         parameters.contact.gap_expression,
-         "a number, since Boundary/right/Support = " +
-           parameters.boundary.right.support,
-         "Boundary/right/Support = contact");
+      Refusal{"Mesh/Grading", text(parameters.mesh.grading), "1"}.since(
+        parameters.mesh.grading != 1.,
+        name,
+        "Bodies/NAME/Cells: each rod has its own");
+      check_entries_beside_bodies(scene, name);
+      Refusal{"Contact/Gap",
+              parameters.contact.gap_expression,
+              "a number, since Boundary/right/Support = " +
+                parameters.boundary.right.support}
+        .since(!parameters.contact.gap_expression.empty() &&
+                 !scene.row.meets_obstacle,
+               name,
+               "Boundary/right/Support = contact");
       const auto no_load = [](const std::string &path,
                               const double       value,
                               const std::string &mass) {

@@ -173,7 +173,7 @@ namespace ThermoContact
   {
     // a vertex of its first cell moves, all other nodes mean nothing
     std::vector<types::global_dof_index> dofs(finite_element_.dofs_per_cell);
-    types::global_dof_index              place = 0; // and one more
+    types::global_dof_index place = 0; // 1 + index; 0: another rank knows
     of_obstacle.set_size(dof_handler_.n_dofs());
     for (const auto &cell : dof_handler_.active_cell_iterators())
       if (!cell->is_artificial() && is_gap(cell))

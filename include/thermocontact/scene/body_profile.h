@@ -42,10 +42,6 @@ namespace ThermoContact
       return all;
     }
 
-    /** Some coefficient depends on a place across the body. */
-    bool
-    varies_across() const;
-
     /** The first expression of the temperature; null: there is none. */
     const Expression *
     of_temperature() const;

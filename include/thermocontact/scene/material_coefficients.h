@@ -5,6 +5,8 @@
 
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/time_function.h>
+#include <thermocontact/method/load_history.h>
 
 #include <array>
 #include <optional>
@@ -25,6 +27,21 @@ namespace ThermoContact
 
   bool
   operator==(const RodCoefficients &one, const RodCoefficients &other);
+
+
+
+  /**
+   * Jumps and kinks of a coefficient along a line through the body, whose
+   * coordinate stands in place of the time.
+   *
+   * @param length of the line, from 0
+   * @param coordinate for messages, "y at "
+   * @throw InputError if it is not finite or changes too fast to be searched
+   */
+  std::vector<LoadBreak>
+  breaks_along(const TimeFunction &coefficient,
+               const double        length,
+               const std::string  &coordinate = "");
 
 
 
