@@ -66,14 +66,18 @@ namespace ThermoContact
   void
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
-    const auto add_attached = [](SectionOfEntries &entry, Attached &end) {
+    const auto add_attached = [](SectionOfEntries  &entry,
+                                 Attached          &end,
+                                 const std::string &scenes) {
       entry("Spring", end.spring, coefficient)
         .means("Stiffness s >= 0 of a spring between the end and the ground, "
-               "for Dimension = 1: force over displacement, per area.",
+               "for " +
+                 scenes + ": force over displacement, per area.",
                "spring");
       entry("Dashpot", end.dashpot, coefficient)
         .means("Coefficient d >= 0 of a dashpot between the end and the "
-               "ground, for Dimension = 1: force over velocity, per area.",
+               "ground, for " +
+                 scenes + ": force over velocity, per area.",
                "dashpot");
       entry("Mass", end.mass, coefficient)
         .means("Mass m >= 0 on the end, for Dimension = 1, per area; the body "
@@ -95,7 +99,7 @@ namespace ThermoContact
         .means("Traction t_A on a free end, positive outward: the stress "
                "there, but for spring, dashpot and mass.",
                "stress");
-      add_attached(entry, left);
+      add_attached(entry, left, "Dimension = 1");
       entry("Temperature",
             left.temperature,
             left.temperature_expression,
@@ -130,7 +134,7 @@ namespace ThermoContact
         .means("Traction t on the contact end x = 1, positive outward: the end "
                "stress is -pressure + t.",
                "stress");
-      add_attached(entry, right);
+      add_attached(entry, right, "Dimension = 1 or a mass as the obstacle");
       entry("Heat exchange",
             right.heat_exchange,
             right.exchange_expression,
