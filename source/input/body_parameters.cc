@@ -60,8 +60,9 @@ namespace ThermoContact
         NumberOrText::number_or_expression("x, y, z, theta", positive),
       zero_too =
         NumberOrText::number_or_expression("x, y, z, theta", not_negative),
-      any = NumberOrText::number_or_expression("x, y, z, theta",
-                                               Double(-1e15, 1e15));
+      any     = NumberOrText::number_or_expression("x, y, z, theta",
+                                               Double(-1e15, 1e15)),
+      poisson = NumberOrText::number_or_expression("x, y, z", true, "none");
     SectionOfEntries entry(prm,
                            bodies_section + "/" +
                              (name.empty() ? any_body : name));
@@ -79,6 +80,9 @@ namespace ThermoContact
              "these coefficients begins at the left end of the rod.");
     entry("Stiffness", stiffness.value, stiffness.expression, coefficient)
       .means("Young's modulus over that one.");
+    entry("Poisson ratio", poisson_ratio, poisson)
+      .means("Poisson ratio nu, for Dimension > 1; none: of section Model or "
+             "Rod.");
     entry("Density", density.value, density.expression, in_body)
       .means("Density over that one.");
     entry("Viscosity", viscosity.value, viscosity.expression, zero_too)

@@ -19,26 +19,6 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Both fields in one vector, with its ghosts. */
-    template <int dim>
-    BlockVector
-    joined(const Discretization<dim> &discretization,
-           const Vector              &temperature,
-           const Vector              &displacement)
-    {
-      BlockVector result = discretization.make_ghosted_vector();
-      for (const auto &[field, values] :
-           {std::pair(Field::temperature, &temperature),
-            std::pair(Field::displacement, &displacement)})
-        if (discretization.has_field(field))
-          result.block(discretization.ghosted_block(field))
-            .copy_locally_owned_data_from(*values);
-      result.update_ghost_values();
-      return result;
-    }
-
-
-
     /**
      * Temperature, displacement, velocity and stress of a state as this rank's
      * part of a VTU file, without header and footer: pieces of some cells each,
@@ -86,10 +66,11 @@ namespace ThermoContact
       Vector        memory;
       const Vector &velocity_field = shown_velocity(body.scene, state, memory);
       viscous_displacement.add(material.viscosity, velocity_field);
-      const auto present = joined(space, state.temperature, state.displacement);
-      const auto moving  = joined(space, state.temperature, velocity_field);
+      const auto present =
+        space.with_ghosts(state.temperature, state.displacement);
+      const auto moving = space.with_ghosts(state.temperature, velocity_field);
       const auto viscous =
-        joined(space, state.temperature, viscous_displacement);
+        space.with_ghosts(state.temperature, viscous_displacement);
 
       const unsigned int          degree = space.degree();
       FEValues<dim>               values(space.mapping(),
@@ -106,6 +87,7 @@ namespace ThermoContact
       // of section Bodies: of displacement and velocity, and coefficients
       std::vector<Tensor<2, dim>>  elastic(n_points), rate(n_points);
       std::vector<RodCoefficients> equations(n_points), materials(n_points);
+      std::vector<Elasticity> elasticities(n_points, material.elasticity());
       const auto component = [&](unsigned int row, const unsigned int point) {
         if (row < first)
           return temperature[point];
@@ -117,7 +99,7 @@ namespace ThermoContact
                            e = (row - 2 * dim) % n_rows;
         const auto stress    = [&](const Tensor<2, dim> &of_gradient,
                                 const Tensor<1, dim> &of_value) {
-          return elastic_stress(material,
+          return elastic_stress(elasticities[point],
                                 space.geometry().strain(of_gradient,
                                                         of_value,
                                                         values.quadrature_point(
@@ -169,7 +151,8 @@ namespace ThermoContact
                                              fields.has_temperature ?
                                                temperature[q] :
                                                0.);
-                        materials[q] = space.of_material(cell, place);
+                        materials[q]    = space.of_material(cell, place);
+                        elasticities[q] = space.elasticity(cell, place);
                       }
                     of_fields.get_function_gradients(present, elastic);
                     of_fields.get_function_gradients(moving, rate);
@@ -255,7 +238,8 @@ namespace ThermoContact
       {
         const double moved =
           body.scene.obstacle_mass ?
-            discretization.obstacle_value(state.displacement) :
+            discretization.obstacle_value(Field::displacement,
+                                          state.displacement) :
             0.;
         const auto write = [&](const std::string &path, auto cells) {
           if (is_writer && fault.empty())

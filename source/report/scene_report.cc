@@ -57,11 +57,15 @@ namespace ThermoContact
         [&units](const char *name, const char *kind, const double value) {
           return value == 0. ? "" : name + units.text(kind, value);
         };
-      return join_words({scene.parameters.obstacle_mass()->name + " of " +
-                           units.text("mass", mass.mass),
-                         part("velocity ", "velocity", mass.velocity),
-                         part("spring ", "spring", mass.spring),
-                         part("dashpot ", "dashpot", mass.dashpot)});
+      return join_words(
+        {scene.parameters.obstacle_mass()->name + " of " +
+           units.text("mass", mass.mass),
+         part("velocity ", "velocity", mass.velocity),
+         mass.heat_capacity ?
+           "temperature " + units.text("temperature", mass.temperature) :
+           "",
+         part("spring ", "spring", mass.spring),
+         part("dashpot ", "dashpot", mass.dashpot)});
     }
 
 

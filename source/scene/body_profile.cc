@@ -83,17 +83,6 @@ namespace ThermoContact
 
 
 
-  const Expression *
-  BodyProfile::of_temperature() const
-  {
-    for (const Expression *const one : all.expressions())
-      if (one->depends_on("theta"))
-        return one;
-    return nullptr;
-  }
-
-
-
   void
   BodyProfile::find_planes(const Parameters  &parameters,
                            const Expression  &coefficient,

@@ -16,8 +16,8 @@ namespace ThermoContact
     auto
     parts_of(const RodCoefficients &coefficients)
     {
-      const auto &[a, b, c, d, e, f, g] = coefficients;
-      return std::tie(a, b, c, d, e, f, g);
+      const auto &[a, b, c, d, e, f, g, h] = coefficients;
+      return std::tie(a, b, c, d, e, f, g, h);
     }
 
 
@@ -34,6 +34,22 @@ namespace ThermoContact
       return jet.value;
     }
   } // namespace
+
+
+
+  RodCoefficients &
+  RodCoefficients::operator-=(const RodCoefficients &other)
+  {
+    section -= other.section;
+    heat_mass -= other.heat_mass;
+    conduction -= other.conduction;
+    coupling -= other.coupling;
+    inertia -= other.inertia;
+    stiffness -= other.stiffness;
+    viscosity -= other.viscosity;
+    poisson_ratio -= other.poisson_ratio;
+    return *this;
+  }
 
 
 
@@ -105,8 +121,17 @@ namespace ThermoContact
     set(coupling, "Coupling", body.coupling);
     set(conductivity, "Conductivity", body.conductivity);
     set(heat_capacity, "Heat capacity", body.heat_capacity);
-    all[viscosity].may_be_zero = true;
-    all[coupling].may_be_zero = all[coupling].may_be_negative = true;
+    set(poisson_ratio,
+        "Poisson ratio",
+        {parameters.model.poisson_ratio,
+         body.poisson_ratio == "none" ? "" : body.poisson_ratio});
+    all[viscosity].may_be_lower = true;
+    all[viscosity].allowed      = "numbers from 0 on";
+    all[coupling].lower         = -infinity;
+    all[coupling].allowed       = "finite numbers";
+    all[poisson_ratio].lower    = -1.;
+    all[poisson_ratio].upper    = 0.5;
+    all[poisson_ratio].allowed  = "numbers between -1 and 1/2";
   }
 
 
@@ -136,7 +161,7 @@ namespace ThermoContact
   {
     std::vector<std::pair<std::string, std::string>> own;
     for (const Coefficient &one : all)
-      if (one.expression || one.number != 1.)
+      if (one.expression || (one.number != 1. && &one != &all[poisson_ratio]))
         own.emplace_back(one.entry,
                          one.expression ? one.expression->text() :
                                           significant(one.number, 6));
@@ -179,8 +204,8 @@ namespace ThermoContact
       return Number(one.number);
     const Number result = one.expression->evaluate(variables.data());
     const double value  = plain_value(result);
-    if (!std::isfinite(value) || (!one.may_be_negative && value < 0.) ||
-        (!one.may_be_zero && value == 0.))
+    if (!std::isfinite(value) || value < one.lower || value >= one.upper ||
+        (!one.may_be_lower && value == one.lower))
       throw InputError(text(one.expression->path(),
                             " = ",
                             one.expression->text(),
@@ -188,9 +213,7 @@ namespace ThermoContact
                             significant(value, 6),
                             place_in_words(one, variables),
                             "\n  allowed: ",
-                            one.may_be_negative ? "finite numbers" :
-                            one.may_be_zero     ? "numbers from 0 on" :
-                                                  "positive numbers",
+                            one.allowed,
                             "\n  remedy:  an expression that has them in the "
                             "whole body",
                             one.expression->depends_on("theta") ?
@@ -202,20 +225,30 @@ namespace ThermoContact
 
 
   template <typename Number>
-  std::array<Number, 7>
+  std::array<Number, 8>
   MaterialCoefficients::terms(const Variables<Number> &variables) const
   {
     const auto of = [&](const Name name) {
       return at<Number>(name, variables);
     };
-    const Number A = of(section), E = of(stiffness);
+    // P-wave modulus over Young's modulus
+    const auto p_wave_factor = [](const Number &nu) -> Number {
+      const Number one(1.), two(2.);
+      return (one - nu) / ((one + nu) * (one - two * nu));
+    };
+    const Number A = of(section), nu = of(poisson_ratio);
+    Number       E = of(stiffness);
+    if (all[poisson_ratio].expression)
+      E = E * p_wave_factor(nu) /
+          p_wave_factor(Number(all[poisson_ratio].number));
     return {{A,
              A * of(heat_capacity),
              A * of(conductivity),
              A * of(coupling),
              A * of(density),
              A * E,
-             A * E * of(viscosity)}};
+             A * E * of(viscosity),
+             nu}};
   }
 
 
@@ -224,7 +257,47 @@ namespace ThermoContact
   MaterialCoefficients::in_equations(const Variables<double> &variables) const
   {
     const auto c = terms<double>(variables);
-    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6]};
+    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
+  }
+
+
+
+  RodTangents
+  MaterialCoefficients::tangents(const Variables<double> &variables) const
+  {
+    Variables<NumberJet> jets;
+    for (unsigned int i = 0; i < jets.size(); ++i)
+      jets[i] = variable_names[i] == "theta" ? NumberJet(variables[i], 1., 0.) :
+                                               NumberJet(variables[i]);
+    const auto terms_of = terms<NumberJet>(jets);
+    const auto part =
+      [&terms_of](double NumberJet::*const of) -> RodCoefficients {
+      const auto &c = terms_of;
+      return {c[0].*of,
+              c[1].*of,
+              c[2].*of,
+              c[3].*of,
+              c[4].*of,
+              c[5].*of,
+              c[6].*of,
+              c[7].*of};
+    };
+    return {part(&NumberJet::value), part(&NumberJet::first)};
+  }
+
+
+
+  std::vector<const Expression *>
+  MaterialCoefficients::of_temperature() const
+  {
+    std::vector<const Expression *> found = expressions();
+    found.erase(std::remove_if(found.begin(),
+                               found.end(),
+                               [](const Expression *const one) {
+                                 return !one->depends_on("theta");
+                               }),
+                found.end());
+    return found;
   }
 
 
@@ -245,6 +318,6 @@ namespace ThermoContact
 
   template double
   MaterialCoefficients::at(const Name, const Variables<double> &) const;
-  template std::array<NumberJet, 7>
+  template std::array<NumberJet, 8>
   MaterialCoefficients::terms(const Variables<NumberJet> &) const;
 } // namespace ThermoContact

@@ -127,18 +127,6 @@ namespace ThermoContact
 
 
 
-  std::vector<const Expression *>
-  RodProfile::of_temperature() const
-  {
-    std::vector<const Expression *> found;
-    for (const Expression *const one : all.expressions())
-      if (one->depends_on("theta"))
-        found.push_back(one);
-    return found;
-  }
-
-
-
   bool
   RodProfile::has_one_speed() const
   {
@@ -167,18 +155,7 @@ namespace ThermoContact
   RodTangents
   RodProfile::tangents(const double x, const double theta) const
   {
-    const auto jets = all.terms<NumberJet>(
-      {{NumberJet(theta, 1., 0.), NumberJet(0.), NumberJet(0.), NumberJet(x)}});
-    const auto part = [&jets](double NumberJet::*const of) -> RodCoefficients {
-      return {jets[0].*of,
-              jets[1].*of,
-              jets[2].*of,
-              jets[3].*of,
-              jets[4].*of,
-              jets[5].*of,
-              jets[6].*of};
-    };
-    return {part(&NumberJet::value), part(&NumberJet::first)};
+    return all.tangents({{theta, 0., 0., x}});
   }
 
 

@@ -20,15 +20,15 @@ namespace ThermoContact
                      const BoundaryParameters &boundary,
                      const SceneFields        &fields)
     {
-      const double nu = model.poisson_ratio;
-      const double stress =
+      const Elasticity elasticity = elasticity_of(model.poisson_ratio);
+      const double     stress =
         fields.has_temperature && fields.has_displacement ? model.coupling : 0.;
       return {model.inertia,
               model.viscosity,
               stress,
               model.heating ? stress : 0.,
-              nu / (1. - nu),
-              (1. - 2. * nu) / (1. - nu),
+              elasticity.lambda,
+              elasticity.two_mu,
               boundary.left.dashpot > 0. || boundary.right.dashpot > 0.};
     }
 
@@ -41,15 +41,20 @@ namespace ThermoContact
       const BodyParameters *const mass = parameters.obstacle_mass();
       if (mass == nullptr || !fields.has_displacement)
         return {};
-      const std::string path         = "Bodies/" + mass->name + "/Velocity";
-      const double      variables[4] = {};
+      const auto at_start = [&](const char *entry, const std::string &text) {
+        const std::string path         = "Bodies/" + mass->name + "/" + entry;
+        const double      variables[4] = {};
+        return Expression(path, text, parameters.names(path))
+          .evaluate(variables);
+      };
       return ObstacleMass{mass->mass,
                           parameters.boundary.right.spring,
                           parameters.boundary.right.dashpot,
-                          Expression(path,
-                                     mass->velocity,
-                                     parameters.names(path))
-                            .evaluate(variables)};
+                          at_start("Velocity", mass->velocity),
+                          fields.has_temperature ?
+                            std::optional(mass->heat_capacity.value) :
+                            std::nullopt,
+                          at_start("Temperature", mass->temperature)};
     }
 
 
@@ -109,9 +114,20 @@ namespace ThermoContact
         read_expression(parameters,
                         "Boundary/right/Heat exchange",
                         parameters.boundary.right.exchange_expression);
+      const double k = parameters.boundary.right.heat_exchange;
+      if (!expression && parameters.obstacle_mass() != nullptr && k > 0.)
+        {
+          HeatExchange::Dependence by;
+          by.on_partner = true;
+          return std::make_unique<const HeatExchange>(
+            "k = " + significant(k, 6),
+            by,
+            [k](const double, const double, const ExchangeConditions &) {
+              return k;
+            });
+        }
       if (!expression)
-        return std::make_unique<const HeatExchange>(
-          parameters.boundary.right.heat_exchange);
+        return std::make_unique<const HeatExchange>(k);
       return std::make_unique<const HeatExchange>(
         "k = " + expression->text(),
         HeatExchange::Dependence{expression->depends_on("gap") ||
@@ -223,7 +239,7 @@ namespace ThermoContact
                     const SceneFields      &fields,
                     const SceneHeat        &heat,
                     const Expression *const gap,
-                    const BodyRow          &row,
+                    const bool              has_laws,
                     const bool              has_motion,
                     const bool              has_obstacle)
     {
@@ -248,7 +264,7 @@ namespace ThermoContact
         fields.has_temperature && heat.fixed_end_drive != nullptr,
         has_motion,
         has_obstacle && gap != nullptr && gap->depends_on("t"),
-        row.depends_on_temperature()};
+        has_laws};
     }
 
 
@@ -279,6 +295,7 @@ namespace ThermoContact
     resolve_massless_nodes(const Parameters   &parameters,
                            const SceneContact &contact,
                            const Scheme       &scheme,
+                           const bool          has_laws,
                            const bool          has_prescribed_start)
     {
       const ContactLaw &law = *contact.law;
@@ -287,9 +304,10 @@ namespace ThermoContact
         return false;
       const BoundaryParameters::Right &right = parameters.boundary.right;
       if (scheme.has_no_dispersion || right.mass > 0. || right.dashpot > 0. ||
-          parameters.has_row() || parameters.obstacle_mass() != nullptr)
-        // its mass matrix knows no single nodes, they carry something, or what
-        // they meet moves by itself
+          parameters.has_row() || parameters.obstacle_mass() != nullptr ||
+          has_laws)
+        // its mass matrix knows no single nodes, they carry something, what
+        // they meet moves by itself, or their stress is that of tangents
         return false;
       if (parameters.contact.massless_nodes != "automatic")
         return parameters.contact.massless_nodes == "on";
@@ -331,6 +349,7 @@ namespace ThermoContact
                     const BodyRow          &row,
                     const Material         &material,
                     const Scheme           &scheme,
+                    const bool              has_laws,
                     const bool              has_prescribed_start)
     {
       SceneContact contact;
@@ -353,10 +372,8 @@ namespace ThermoContact
       contact.gap = resolve_gap(parameters, gap);
       if (contact.law->is_active() && parameters.contact.rear_gap)
         contact.rear_gap = *parameters.contact.rear_gap;
-      contact.has_massless_nodes = resolve_massless_nodes(parameters,
-                                                          contact,
-                                                          scheme,
-                                                          has_prescribed_start);
+      contact.has_massless_nodes = resolve_massless_nodes(
+        parameters, contact, scheme, has_laws, has_prescribed_start);
       for (const int side : {1, -1})
         {
           const ContactLaw &law        = contact.law_of(side);
@@ -475,7 +492,8 @@ namespace ThermoContact
         fields,
         heat,
         gap_expression.get(),
-        row,
+        row.depends_on_temperature() ||
+          (profile && profile->depends_on_temperature()),
         fixed_end_motion != nullptr,
         resolve_law(parameters, fields, row, parameters.contact.law)
           ->is_active()))
@@ -494,6 +512,7 @@ namespace ThermoContact
                               row,
                               material,
                               scheme,
+                              sources.has_laws,
                               has_prescribed_start))
     , has_rollers(parameters.boundary.sides.support == "rollers")
     , has_symmetry(parameters.boundary.sides.support == "symmetric")

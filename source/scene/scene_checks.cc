@@ -272,7 +272,7 @@ namespace ThermoContact
                   no_inertia,
                   remedy +
                     "a body without inertia has no velocity to start with");
-      start.since(!scene.heat.exchange->is_constant(),
+      start.since(scene.heat.exchange->dependence().any(),
                   "Boundary/right/Heat exchange is an expression",
                   remedy +
                     "the heat equation alone does not know the pressure");
@@ -290,7 +290,7 @@ namespace ThermoContact
     check_exchange(const Scene &scene)
     {
       const Parameters &parameters = scene.parameters;
-      if (scene.heat.exchange->is_constant())
+      if (!scene.heat.exchange->dependence().any())
         return;
       const Refusal                   exchange{"Boundary/right/Heat exchange",
                              parameters.boundary.right.exchange_expression,
@@ -304,8 +304,9 @@ namespace ThermoContact
       Refusal{"Boundary/right/Heat exchange",
               parameters.boundary.right.exchange_expression,
               "an expression in gap, pressure, t"}
-        .since(by.on_temperature && !scene.row.contacts.empty(),
-               "bodies of a row meet, and their temperatures are two",
+        .since(by.on_temperature &&
+                 (!scene.row.contacts.empty() || scene.obstacle_mass),
+               "two bodies meet, and their temperatures are two",
                "an exchange without theta and theta_obs");
       exchange.since(!scene.row.contacts.empty() && !scene.row.meets_obstacle &&
                        !scene.heat.right_temperature,
@@ -491,7 +492,7 @@ namespace ThermoContact
                      "Model/Fields = " + parameters.model.fields,
                    "Solver/Step solver = monolithic: " + iteration +
                      "belongs to its full model");
-      solver.since(!scene.heat.exchange->is_constant(),
+      solver.since(scene.heat.exchange->dependence().any(),
                    "Boundary/right/Heat exchange is an expression",
                    iteration + "has a constant one");
       Refusal{"Time/Locate contact events",
@@ -718,29 +719,6 @@ namespace ThermoContact
 
 
 
-    /** Coefficients of the temperature, (M10.8), act in the stages alone. */
-    void
-    check_coefficients_of_temperature(const Scene &scene)
-    {
-      for (const RowBody &body : scene.row.bodies)
-        if (body.profile)
-          for (const Expression *one : body.profile->of_temperature())
-            {
-              const Refusal expression{one->path(),
-                                       one->text(),
-                                       "a number or an expression in x"};
-              expression.since(!scene.fields.has_temperature,
-                               "Model/Fields = " +
-                                 scene.parameters.model.fields,
-                               "Model/Fields = temperature and displacement");
-              expression.since(scene.scheme.has_no_dispersion,
-                               name_of_scheme(scene),
-                               "Time/Scheme = automatic");
-            }
-    }
-
-
-
     /** Entries that neither a row nor a mass as the obstacle can have. */
     void
     check_entries_beside_bodies(const Scene &scene, const std::string &reason)
@@ -760,6 +738,34 @@ namespace ThermoContact
         "Contact/Massless nodes = automatic");
       Refusal{"Contact/Rear gap", text(scene.contact.rear_gap), "none"}.since(
         scene.contact.is_two_sided(), reason, "Contact/Rear gap = none");
+    }
+
+
+
+    /** Coefficients of the temperature, (M10.8), act in the stages alone. */
+    void
+    check_coefficients_of_temperature(const Scene &scene)
+    {
+      std::vector<const Expression *> all;
+      for (const RowBody &body : scene.row.bodies)
+        if (body.profile)
+          for (const Expression *const one : body.profile->of_temperature())
+            all.push_back(one);
+      if (scene.profile)
+        all = scene.profile->coefficients().of_temperature();
+      for (const Expression *const one : all)
+        {
+          const Refusal expression{one->path(),
+                                   one->text(),
+                                   "a number or an expression of places"};
+          expression.since(!scene.fields.has_temperature,
+                           "Model/Fields = " + scene.parameters.model.fields,
+                           "Model/Fields = temperature and displacement");
+          expression.since(scene.scheme.has_no_dispersion,
+                           name_of_scheme(scene),
+                           "Time/Scheme = automatic");
+          check_entries_beside_bodies(scene, one->path() + " depends on theta");
+        }
     }
 
 
@@ -786,16 +792,16 @@ namespace ThermoContact
          mass->velocity,
          "a number",
          "a number: all of a mass has one velocity");
-      for (const auto &[entry, value] :
-           {std::pair("Displacement", mass->displacement),
-            std::pair("Temperature", mass->temperature)})
-        no(!equal_values(value, "0"),
-           path + "/" + entry,
-           value,
-           "0",
-           entry == std::string("Displacement") ?
-             "Contact/Gap, its distance at the start" :
-             "Boundary/right/Surroundings, the temperature of the obstacle");
+      no(!equal_values(mass->displacement, "0"),
+         path + "/Displacement",
+         mass->displacement,
+         "0",
+         "Contact/Gap, its distance at the start");
+      no(!parse_number(mass->temperature),
+         path + "/Temperature",
+         mass->temperature,
+         "a number",
+         "a number: all of a mass has one temperature");
       no(!scene.fields.has_displacement,
          "Model/Fields",
          "temperature",
@@ -883,9 +889,7 @@ namespace ThermoContact
            value,
            "0",
            std::string("Initial values/") + entry);
-      if (const Expression *const one = scene.profile->of_temperature())
-        Refusal{one->path(), one->text(), "an expression in x, y and z"}.since(
-          true, dimension, "Dimension = 1: coefficients of theta are of rods");
+      check_coefficients_of_temperature(scene);
       check_obstacle_mass(scene);
       const MeshParameters &mesh = parameters.mesh;
       for (const auto &[path, number, grading, planes] :

@@ -32,7 +32,9 @@ namespace ThermoContact
     , right(scene.parameters.boundary.right)
     , row(scene.row)
     , profile(scene.profile)
-    , obstacle_mass(scene.obstacle_mass)
+    , obstacle_mass(scene.obstacle_mass ?
+                      std::optional(scene.obstacle_mass->without_start()) :
+                      std::nullopt)
   {}
 
 

@@ -174,6 +174,7 @@ namespace ThermoContact
           const Material &material = scene.material;
           add(!scene.fields.has_displacement,
               {"Stiffness",
+               "Poisson ratio",
                "Density",
                "Viscosity",
                "Coupling",
@@ -189,9 +190,10 @@ namespace ThermoContact
           add(!material.has_viscosity() && !is_in_si,
               {"Viscosity"},
               "Model/Viscosity = 0");
-          add(&body == parameters.obstacle_mass(),
-              {"Heat capacity"},
-              "Boundary/right/Surroundings = its temperature");
+          if (&body == parameters.obstacle_mass())
+            unused.add_if(scene.fields.has_temperature,
+                          {"Boundary/right/Surroundings"},
+                          section + "Kind = mass");
           add(parameters.model.coupling == 0.,
               {"Coupling"},
               "Model/Coupling = 0");
@@ -200,6 +202,7 @@ namespace ThermoContact
                 !is_in_si,
               {"Density"},
               "Model/Inertia = 0");
+          add(parameters.dimension == 1, {"Poisson ratio"}, "Dimension = 1");
           add(material.is_static(),
               {"Displacement"},
               "Model/Inertia = 0 and Viscosity = 0");
@@ -208,6 +211,7 @@ namespace ThermoContact
                "Cells",
                "Section",
                "Stiffness",
+               "Poisson ratio",
                "Density",
                "Viscosity",
                "Coupling",

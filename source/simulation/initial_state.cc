@@ -368,8 +368,10 @@ namespace ThermoContact
       projection.project(*body.data.initial_velocity, unused, state.velocity);
     }
     discretization.set_zero_in_gaps(state);
-    if (const auto entry = discretization.obstacle_entry())
+    if (const auto entry = discretization.obstacle_entry(Field::displacement))
       state.velocity.begin()[*entry] = body.scene.obstacle_mass->velocity;
+    if (const auto entry = discretization.obstacle_entry(Field::temperature))
+      state.temperature.begin()[*entry] = body.scene.obstacle_mass->temperature;
     check_values(body, state, warnings);
     if constexpr (dim == 1)
       if (body.scene.has_midpoint_mass)

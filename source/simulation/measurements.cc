@@ -176,9 +176,11 @@ namespace ThermoContact
     if (body.scene.obstacle_mass)
       {
         record.obstacle_displacement =
-          body.discretization.obstacle_value(state.displacement);
+          body.discretization.obstacle_value(Field::displacement,
+                                             state.displacement);
         record.obstacle_velocity =
-          body.discretization.obstacle_value(state.velocity);
+          body.discretization.obstacle_value(Field::displacement,
+                                             state.velocity);
         record.displacement_end += record.obstacle_displacement;
       }
     record.in_contact = false;
@@ -271,6 +273,13 @@ namespace ThermoContact
                                   state.temperature,
                                   contact_values);
     record.temperature_end = body.contact_end().mean(contact_values);
+    if (body.scene.obstacle_mass)
+      {
+        record.obstacle_temperature =
+          body.discretization.obstacle_value(Field::temperature,
+                                             state.temperature);
+        record.temperature_end += record.obstacle_temperature;
+      }
     for (unsigned int i = 0; i < contact_values.size(); ++i)
       contact_values[i] = body.surroundings.flux(i,
                                                  state.exchange_coefficient[i],

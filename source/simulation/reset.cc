@@ -508,10 +508,9 @@ namespace ThermoContact
             // heated with the coefficients in the middle of the way
             Vector middle(start);
             middle.add(0.5, change);
-            const ThermoviscoelasticOperator<dim> there(
-              body.equations, body.nonlinear->at(middle));
-            there.add_heating(motion, -1., heat);
-            LinearSystem<dim>(there, heat_at_once).solve(change, heat);
+            const auto there = body.nonlinear->at(middle);
+            there->add_heating(motion, -1., heat);
+            LinearSystem<dim>(*there, heat_at_once).solve(change, heat);
           }
         else
           {

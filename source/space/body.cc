@@ -23,10 +23,7 @@ namespace ThermoContact
     , driven_end(scene, discretization, equations, loads, energy)
     , obstacle(scene, contact_end())
     , boundary_flows(scene, discretization, equations, surroundings, loads)
-    , nonlinear(
-        scene.sources.has_laws ?
-          std::make_unique<const NonlinearRod>(scene, *equations.rod()) :
-          nullptr)
+    , nonlinear(make_nonlinear_terms(scene, equations))
   {}
 
 

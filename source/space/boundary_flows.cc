@@ -89,7 +89,8 @@ namespace ThermoContact
           if (is_mass && field == Field::displacement)
             {
               end.weights[field] = 0.;
-              if (const auto entry = discretization.obstacle_entry())
+              if (const auto entry =
+                    discretization.obstacle_entry(Field::displacement))
                 end.weights[field].begin()[*entry] =
                   discretization.geometry().cross_section();
             }

@@ -34,6 +34,35 @@ namespace ThermoContact
 
 
   template <int dim>
+  void
+  evaluate_basis(const Discretization<dim>   &discretization,
+                 const FEValues<dim>         &fe_values,
+                 const unsigned int           q,
+                 std::vector<CellBasis<dim>> &basis)
+  {
+    if (discretization.has_field(Field::temperature))
+      {
+        const auto &theta = fe_values[discretization.temperature_extractor()];
+        for (const unsigned int i : fe_values.dof_indices())
+          {
+            basis[i].theta      = theta.value(i, q);
+            basis[i].grad_theta = theta.gradient(i, q);
+          }
+      }
+    if (discretization.has_field(Field::displacement))
+      {
+        const auto &u = fe_values[discretization.displacement_extractor()];
+        for (const unsigned int i : fe_values.dof_indices())
+          basis[i].strain =
+            discretization.geometry().strain(u.gradient(i, q),
+                                             u.value(i, q),
+                                             fe_values.quadrature_point(q));
+      }
+  }
+
+
+
+  template <int dim>
   HeatExchangeFaces<dim>::HeatExchangeFaces(
     const SpatialScene        &scene,
     const Discretization<dim> &discretization)
@@ -126,6 +155,10 @@ namespace ThermoContact
                                    const std::vector<std::size_t> &, \
                                    const FEValuesBase<dim> &,        \
                                    const CoefficientAt<dim> &);      \
+  template void       evaluate_basis(const Discretization<dim> &,    \
+                                     const FEValues<dim> &,          \
+                                     const unsigned int,             \
+                                     std::vector<CellBasis<dim>> &); \
   template class HeatExchangeFaces<dim>
 
   INSTANTIATE(1);

@@ -215,8 +215,8 @@ namespace ThermoContact
     for (const auto &[dofs, node] : nodes)
       {
         sorted.push_back(node);
-        sorted.back().partner[Field::displacement] =
-          discretization.obstacle_dof();
+        for (const Field::Block field : all_fields)
+          sorted.back().partner[field] = discretization.obstacle_dof(field);
       }
 
     std::sort(sorted.begin(),

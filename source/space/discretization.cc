@@ -59,6 +59,7 @@ namespace ThermoContact
     , is_held_right_{{scene.has_right_temperature, scene.has_clamped_right}}
     , row_(scene.row)
     , profile(scene.profile)
+    , elasticity_(scene.material.elasticity())
     , exchange_coefficient_(scene.exchange_coefficient)
   {
     make_grid(scene);
@@ -173,7 +174,8 @@ namespace ThermoContact
   {
     // a vertex of its first cell moves, all other nodes mean nothing
     std::vector<types::global_dof_index> dofs(finite_element_.dofs_per_cell);
-    types::global_dof_index place = 0; // 1 + index; 0: another rank knows
+    // 1 + index; 0: another rank knows
+    std::array<types::global_dof_index, 2> place{};
     of_obstacle.set_size(dof_handler_.n_dofs());
     for (const auto &cell : dof_handler_.active_cell_iterators())
       if (!cell->is_artificial() && is_gap(cell))
@@ -181,13 +183,17 @@ namespace ThermoContact
           cell->get_dof_indices(dofs);
           of_obstacle.add_indices(dofs.begin(), dofs.end());
           if (cell->vertex(0).norm() <= 2. * geometry_.corner()[0])
-            place =
-              1 +
-              cell->vertex_dof_index(0, first_component(Field::displacement));
+            for (const Field::Block field : all_fields)
+              if (has_field(field))
+                place[field] =
+                  1 + cell->vertex_dof_index(0, first_component(field));
         }
     of_obstacle.compress();
-    obstacle_dof_ = Utilities::MPI::max(place, communicator_) - 1 -
-                    first_dof(Field::displacement);
+    for (const Field::Block field : all_fields)
+      if (has_field(field))
+        obstacle_dof_[field] =
+          Utilities::MPI::max(place[field], communicator_) - 1 -
+          first_dof(field);
   }
 
 
@@ -296,8 +302,13 @@ namespace ThermoContact
     if (has_pins)
       add_pins(constraints);
     for (const types::global_dof_index dof : of_obstacle)
-      if (holds_obstacle ||
-          dof != obstacle_dof_ + first_dof(Field::displacement))
+      if (holds_obstacle || std::none_of(std::begin(all_fields),
+                                         std::end(all_fields),
+                                         [&](const Field::Block field) {
+                                           return has_field(field) &&
+                                                  dof == obstacle_dof_[field] +
+                                                           first_dof(field);
+                                         }))
         constraints.add_line(dof);
     constraints.close();
     return constraints;
@@ -391,21 +402,23 @@ namespace ThermoContact
 
   template <int dim>
   std::optional<unsigned int>
-  Discretization<dim>::obstacle_entry() const
+  Discretization<dim>::obstacle_entry(const Field::Block field) const
   {
-    const IndexSet &owned = owned_by_block_[Field::displacement];
-    if (of_obstacle.size() == 0 || !owned.is_element(obstacle_dof_))
+    const IndexSet &owned = owned_by_block_[field];
+    if (of_obstacle.size() == 0 || !has_field(field) ||
+        !owned.is_element(obstacle_dof_[field]))
       return {};
-    return owned.index_within_set(obstacle_dof_);
+    return owned.index_within_set(obstacle_dof_[field]);
   }
 
 
 
   template <int dim>
   double
-  Discretization<dim>::obstacle_value(const Vector &vector) const
+  Discretization<dim>::obstacle_value(const Field::Block field,
+                                      const Vector      &vector) const
   {
-    const auto entry = obstacle_entry();
+    const auto entry = obstacle_entry(field);
     return Utilities::MPI::sum(entry ? vector.begin()[*entry] : 0.,
                                communicator_);
   }
@@ -437,7 +450,7 @@ namespace ThermoContact
   {
     if (row_.is_given())
       return row_.in_equations(cell->active_cell_index(), place[0], theta);
-    return profile ? of_material(cell, place) : one_everywhere;
+    return of_material(cell, place, theta);
   }
 
 
@@ -445,18 +458,54 @@ namespace ThermoContact
   template <int dim>
   RodCoefficients
   Discretization<dim>::of_material(const Cell       &cell,
-                                   const Point<dim> &place) const
+                                   const Point<dim> &place,
+                                   const double      theta) const
   {
     if (row_.is_given())
-      return row_.of_rod(cell->active_cell_index(), place[0]);
-    if (!profile)
-      return one_everywhere;
-    // within the cell, so that jumps are on its faces
+      return row_.of_rod(cell->active_cell_index(), place[0], theta);
+    return profile ? profile->at(inside(cell, place), theta) : one_everywhere;
+  }
+
+
+
+  template <int dim>
+  Elasticity
+  Discretization<dim>::elasticity(const Cell       &cell,
+                                  const Point<dim> &place) const
+  {
+    return profile ? elasticity_of(of_material(cell, place).poisson_ratio) :
+                     elasticity_;
+  }
+
+
+
+  template <int dim>
+  RodTangents
+  Discretization<dim>::beyond_zero(const Cell       &cell,
+                                   const Point<dim> &place,
+                                   const double      theta) const
+  {
+    const RodCoefficients at_zero = of_material(cell, place);
+    if (row_.is_given())
+      return row_.beyond_zero(cell->active_cell_index(),
+                              {of_material(cell, place, theta), {}},
+                              at_zero);
+    RodTangents beyond = profile->tangents(inside(cell, place), theta);
+    beyond.value -= at_zero;
+    return beyond;
+  }
+
+
+
+  template <int dim>
+  std::array<double, 3>
+  Discretization<dim>::inside(const Cell &cell, const Point<dim> &place) const
+  {
     const Point<dim>      middle = cell->center();
-    std::array<double, 3> inside{};
+    std::array<double, 3> result{};
     for (unsigned int d = 0; d < dim; ++d)
-      inside[d] = place[d] + Tolerances::in_cell * (middle[d] - place[d]);
-    return profile->at(inside);
+      result[d] = place[d] + Tolerances::in_cell * (middle[d] - place[d]);
+    return result;
   }
 
 
@@ -523,6 +572,24 @@ namespace ThermoContact
           relevant.push_back(relevant_by_block_[field]);
         }
     return BlockVector(owned, relevant, communicator_);
+  }
+
+
+
+  template <int dim>
+  BlockVector
+  Discretization<dim>::with_ghosts(const Vector &temperature,
+                                   const Vector &displacement) const
+  {
+    BlockVector result = make_ghosted_vector();
+    for (const auto &[field, values] :
+         {std::pair(Field::temperature, &temperature),
+          std::pair(Field::displacement, &displacement)})
+      if (has_field(field) && values->size() > 0)
+        result.block(ghosted_block(field))
+          .copy_locally_owned_data_from(*values);
+    result.update_ghost_values();
+    return result;
   }
 
 

@@ -36,49 +36,8 @@ namespace ThermoContact
 
 
 
-  /** A basis function at a point, for the products. */
-  template <int dim>
-  struct CellBasis
-  {
-    double         theta = 0.;
-    Tensor<1, dim> grad_theta;
-    Strain         strain;
-  };
-
-
-
   namespace
   {
-    /** All basis functions of a cell; absent fields have none. */
-    template <int dim>
-    void
-    evaluate_basis(const Discretization<dim>   &discretization,
-                   const FEValues<dim>         &fe_values,
-                   const unsigned int           q,
-                   std::vector<CellBasis<dim>> &basis)
-    {
-      if (discretization.has_field(Field::temperature))
-        {
-          const auto &theta = fe_values[discretization.temperature_extractor()];
-          for (const unsigned int i : fe_values.dof_indices())
-            {
-              basis[i].theta      = theta.value(i, q);
-              basis[i].grad_theta = theta.gradient(i, q);
-            }
-        }
-      if (discretization.has_field(Field::displacement))
-        {
-          const auto &u = fe_values[discretization.displacement_extractor()];
-          for (const unsigned int i : fe_values.dof_indices())
-            basis[i].strain =
-              discretization.geometry().strain(u.gradient(i, q),
-                                               u.value(i, q),
-                                               fe_values.quadrature_point(q));
-        }
-    }
-
-
-
     /**
      * True if the integrals over this cell are those over the one before: in a
      * body, whose products are many, not in a rod, which joins equal cells.
@@ -98,7 +57,8 @@ namespace ThermoContact
     /** Weights of products at a point of a cell. */
     struct ProductWeights
     {
-      double gradients = 1., strains = 1., coupling = 1.;
+      double     gradients, strains, coupling;
+      Elasticity elasticity;
     };
 
     template <int dim>
@@ -125,14 +85,15 @@ namespace ThermoContact
           const double weight = discretization.geometry().weight(fe_values, q);
           const ProductWeights at =
             weights_at ? weights_at(fe_values.quadrature_point(q)) :
-                         ProductWeights();
+                         ProductWeights{1., 1., 1., material.elasticity()};
           for (unsigned int i = 0; i < basis.size(); ++i)
             for (unsigned int j = 0; j < basis.size(); ++j)
               {
                 const CellBasis<dim> &f = basis[i], &g = basis[j];
                 stiffness(i, j) +=
                   (at.gradients * (f.grad_theta * g.grad_theta) +
-                   at.strains * elastic_product(material, f.strain, g.strain)) *
+                   at.strains *
+                     elastic_product(at.elasticity, f.strain, g.strain)) *
                   weight;
                 coupling(i, j) +=
                   at.coupling *
@@ -229,6 +190,37 @@ namespace ThermoContact
 
 
   template <int dim>
+  FieldMatrices<dim>::FieldMatrices(const FieldMatrices &other)
+    : scene(other.scene)
+    , discretization(other.discretization)
+    , has_(other.has_)
+    , places(other.places)
+  {
+    for (unsigned int kind = 0; kind < n_matrices; ++kind)
+      if (other.matrices[kind].m() > 0)
+        matrices[kind].copy_from(other.matrices[kind]);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<const FieldMatrices<dim>>
+  FieldMatrices<dim>::with(
+    const std::function<void(const AddPart &)> &add_parts) const
+  {
+    std::unique_ptr<FieldMatrices> result(new FieldMatrices(*this));
+    add_parts([&result](const Kind                kind,
+                        const Cell               &cell,
+                        const FullMatrix<double> &part) {
+      result->add(kind, cell, part);
+    });
+    result->compress();
+    return result;
+  }
+
+
+
+  template <int dim>
   FieldMatrices<dim>::~FieldMatrices() = default;
 
 
@@ -248,6 +240,15 @@ namespace ThermoContact
         if (cell->is_locally_owned() && !discretization.is_gap(cell))
           (this->*add_part)(cell);
     add_obstacle();
+    compress();
+  }
+
+
+
+  template <int dim>
+  void
+  FieldMatrices<dim>::compress()
+  {
     for (SparseMatrix &matrix : matrices)
       if (matrix.m() > 0)
         matrix.compress(VectorOperation::add);
@@ -259,11 +260,17 @@ namespace ThermoContact
   void
   FieldMatrices<dim>::add_obstacle()
   {
-    const auto entry = discretization.obstacle_entry();
-    if (!entry)
-      return;
-    const types::global_dof_index at = discretization.obstacle_dof();
     const double area = discretization.geometry().cross_section();
+    if (discretization.obstacle_entry(Field::temperature))
+      {
+        const auto at = discretization.obstacle_dof(Field::temperature);
+        matrices[heat_mass].add(at,
+                                at,
+                                area * *scene.obstacle_mass->heat_capacity);
+      }
+    if (!discretization.obstacle_entry(Field::displacement))
+      return;
+    const auto at = discretization.obstacle_dof(Field::displacement);
     matrices[momentum_mass].add(
       at, at, area * scene.obstacle_mass->mass / scene.material.inertia);
     matrices[stiffness].add(at, at, area * scene.obstacle_mass->spring);
@@ -585,9 +592,12 @@ namespace ThermoContact
     };
     WeightsAt<dim> weights; // 1, with factors of the cell
     if (varies)
-      weights = [&material_at](const Point<dim> &place) -> ProductWeights {
+      weights = [&](const Point<dim> &place) -> ProductWeights {
         const RodCoefficients at = material_at(place);
-        return {at.conduction, at.stiffness, at.coupling};
+        return {at.conduction,
+                at.stiffness,
+                at.coupling,
+                discretization.elasticity(cell, place)};
       };
     by.values.reinit(cell);
     if (varies || !has_last_integrals(discretization, by.values))
@@ -608,8 +618,11 @@ namespace ThermoContact
     const FullMatrix<double> *resistance = &by.stiffness;
     if (varies)
       {
-        weights = [&material_at](const Point<dim> &place) -> ProductWeights {
-          return {0., material_at(place).viscosity, 0.};
+        weights = [&](const Point<dim> &place) -> ProductWeights {
+          return {0.,
+                  material_at(place).viscosity,
+                  0.,
+                  discretization.elasticity(cell, place)};
         };
         integrate_products(scene.material,
                            discretization,

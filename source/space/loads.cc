@@ -91,7 +91,7 @@ namespace ThermoContact
       return;
 
     data.set_time(time);
-    if (const auto entry = discretization.obstacle_entry();
+    if (const auto entry = discretization.obstacle_entry(Field::displacement);
         entry && data.body_force)
       momentum.begin()[*entry] =
         obstacle_mass / inertia * sum_over_end(*data.body_force);
@@ -133,7 +133,8 @@ namespace ThermoContact
       return;
     if (obstacle_mass > 0.)
       {
-        if (const auto entry = discretization.obstacle_entry())
+        if (const auto entry =
+              discretization.obstacle_entry(Field::displacement))
           momentum.begin()[*entry] += sum_over_end(*data.end_traction);
       }
     else

@@ -15,25 +15,12 @@ namespace ThermoContact
 {
   using namespace dealii;
 
-  double
-  added_stress(const Material        &material,
-               const RodCoefficients &beyond,
-               const double           theta,
-               const double           strain,
-               const double           strain_rate)
-  {
-    return beyond.stiffness * strain +
-           material.viscosity * beyond.viscosity * strain_rate -
-           material.thermal_stress * beyond.coupling * theta;
-  }
-
-
-
-  NonlinearRod::NonlinearRod(const Scene &scene, const RodMatrices &matrices)
+  NonlinearRod::NonlinearRod(const Scene &scene, const Operator &equations)
     : fields(scene.fields)
     , row(scene.row)
     , material(scene.material)
-    , matrices(matrices)
+    , equations(equations)
+    , matrices(*equations.rod())
   {
     const unsigned int degree = matrices.layout().degree;
     const FE_Q<1>      basis(degree);
@@ -171,17 +158,17 @@ namespace ThermoContact
 
 
 
-  std::unique_ptr<const RodMatrices>
+  std::unique_ptr<const NonlinearRod::Operator>
   NonlinearRod::at(const Vector &temperature) const
   {
     const Vector none;
-    return matrices_at({temperature, none, none, none}, false);
+    return operator_at({temperature, none, none, none}, false);
   }
 
 
 
-  std::unique_ptr<const RodMatrices>
-  NonlinearRod::matrices_at(const Instant &instant,
+  std::unique_ptr<const NonlinearRod::Operator>
+  NonlinearRod::operator_at(const Instant &instant,
                             const bool     with_slopes) const
   {
     using Matrix               = RodMatrices::Matrix;
@@ -271,15 +258,17 @@ namespace ThermoContact
                   point.value);
           });
       }
-    return std::make_unique<const RodMatrices>(
-      layout,
-      0.,
-      [&](const Matrix       matrix,
-          const unsigned int cell,
-          const unsigned int i,
-          const unsigned int j) {
-        return entries[cell * n_cell + (matrix * n + j) * n + i];
-      },
-      carries);
+    return std::make_unique<const Operator>(
+      equations,
+      std::make_unique<const RodMatrices>(
+        layout,
+        0.,
+        [&](const Matrix       matrix,
+            const unsigned int cell,
+            const unsigned int i,
+            const unsigned int j) {
+          return entries[cell * n_cell + (matrix * n + j) * n + i];
+        },
+        carries));
   }
 } // namespace ThermoContact

@@ -3,7 +3,7 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/space/nonlinear_rod.h>
+#include <thermocontact/space/nonlinear_terms.h>
 #include <thermocontact/space/point_values.h>
 #include <thermocontact/space/shown_velocity.h>
 
@@ -113,33 +113,27 @@ namespace ThermoContact
   PointValues<dim>::find_law_places(const std::vector<Place<dim>> &places,
                                     const std::vector<double>     &n_cells)
   {
-    const FiniteElement<dim> &base =
-      discretization.finite_element().base_element(0);
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       for (unsigned int place = 0; place < n_places; ++place)
         {
-          const auto         box    = cell->bounding_box();
-          const unsigned int number = cell->active_cell_index();
-          if (discretization.is_gap(cell) ||
-              !box.point_inside(places[place].cell_point, Tolerances::in_cell))
+          if (!cell->is_locally_owned() || discretization.is_gap(cell) ||
+              !cell->bounding_box().point_inside(places[place].cell_point,
+                                                 Tolerances::in_cell))
             continue;
           const Point<dim> &position = places[place].position;
-          const Point<dim>  unit_point =
-            GeometryInfo<dim>::project_to_unit_cell(box.real_to_unit(position));
-          LawPlace one{
-            place,
-            number,
-            position[0],
-            1. / (n_cells[place] *
-                  discretization.row().of_rod(number, position[0]).section),
-            {},
-            {}};
-          for (unsigned int i = 0; i < base.dofs_per_cell; ++i)
+          LawPlace          one{place,
+                       cell,
+                       position,
+                       1. /
+                         (n_cells[place] *
+                          discretization.of_material(cell, position).section),
+                       {},
+                       {}};
+          for (const BasisAt &f : basis_at(cell, position))
             {
-              one.value.push_back(base.shape_value(i, unit_point));
-              one.slope.push_back(base.shape_grad(i, unit_point)[0] /
-                                  box.side_length(0));
+              one.value.push_back(f.theta);
+              one.stress.push_back(f.stress);
             }
           law_places.push_back(one);
         }
@@ -152,30 +146,32 @@ namespace ThermoContact
   PointValues<dim>::add_stress_of_laws(const State  &state,
                                        const Vector &velocity)
   {
-    const RodLayout layout{discretization.n_active_cells(),
-                           discretization.degree()};
+    if (!scene.sources.has_laws || !scene.fields.has_displacement)
+      return;
+    const BlockVector present =
+      discretization.with_ghosts(state.temperature, state.displacement);
+    const BlockVector moving =
+      discretization.with_ghosts(state.temperature, velocity);
+    std::vector<types::global_dof_index> dofs(
+      discretization.finite_element().dofs_per_cell);
     for (const LawPlace &one : law_places)
       {
-        const auto at = [&](const Vector              &vector,
-                            const std::vector<double> &basis) {
-          double sum = 0.;
-          for (unsigned int i = 0; i < basis.size(); ++i)
-            sum += basis[i] * vector.begin()[layout.node(one.cell, i)];
-          return sum;
-        };
-        const BodyRow &row   = discretization.row();
-        const double   theta = at(state.temperature, one.value);
+        one.cell->get_dof_indices(dofs);
+        double theta = 0., elastic = 0., of_rate = 0.;
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            theta += one.value[i] * present(dofs[i]);
+            elastic += one.stress[i] * present(dofs[i]);
+            of_rate += one.stress[i] * moving(dofs[i]);
+          }
         values[stress * n_places + one.place] +=
           one.weight *
-          added_stress(scene.material,
-                       row
-                         .beyond_zero(one.cell,
-                                      {row.of_rod(one.cell, one.x, theta), {}},
-                                      row.of_rod(one.cell, one.x))
-                         .value,
-                       theta,
-                       at(state.displacement, one.slope),
-                       at(velocity, one.slope));
+          added_stress(
+            scene.material,
+            discretization.beyond_zero(one.cell, one.position, theta).value,
+            theta,
+            elastic,
+            of_rate);
       }
   }
 
@@ -221,79 +217,91 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  PointValues<dim>::add_shares(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Point<dim>                                     &position,
-    const unsigned int                                    place,
-    std::vector<Share>                                   &shares) const
+  std::vector<typename PointValues<dim>::BasisAt>
+  PointValues<dim>::basis_at(const Cell &cell, const Point<dim> &position) const
   {
     // the cells of the body are boxes along the axes
     const auto       box = cell->bounding_box();
     const Point<dim> unit_point =
       GeometryInfo<dim>::project_to_unit_cell(box.real_to_unit(position));
-    const FiniteElement<dim>            &fe   = discretization.finite_element();
-    const FiniteElement<dim>            &base = fe.base_element(0);
-    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
-    cell->get_dof_indices(dofs);
-    const types::global_dof_index offset =
-      discretization.first_dof(Field::displacement);
-    const unsigned int first =
+    const FiniteElement<dim> &fe   = discretization.finite_element();
+    const FiniteElement<dim> &base = fe.base_element(0);
+    const unsigned int        first =
       discretization.first_component(Field::displacement);
-    const auto add = [&](const Form                    form,
-                         const types::global_dof_index dof,
-                         const double                  weight) {
-      if (weight != 0.)
-        shares.push_back({form, place, dof, weight});
-    };
     const auto rounded = [](const double value) {
       const double node_value = std::round(value);
       return std::abs(value - node_value) < Tolerances::rounding_of_solution ?
                node_value :
                value;
     };
+    const Elasticity     elasticity = discretization.elasticity(cell, position);
+    std::vector<BasisAt> all(fe.dofs_per_cell);
+    for (unsigned int i = 0; i < all.size(); ++i)
+      {
+        const auto [component, shape] = fe.system_to_component_index(i);
+        const double value            = base.shape_value(shape, unit_point);
+        if (discretization.has_field(Field::temperature) && component == 0)
+          {
+            all[i].theta = rounded(value);
+            continue;
+          }
+        const unsigned int d = component - first;
+        if (d == 0)
+          all[i].displacement = rounded(value);
+        Tensor<1, dim> values;
+        Tensor<2, dim> gradient;
+        values[d] = value;
+        for (unsigned int e = 0; e < dim; ++e)
+          if (const double derivative = base.shape_grad(shape, unit_point)[e];
+              std::abs(derivative) > Tolerances::rounding_of_solution)
+            gradient[d][e] = derivative / box.side_length(e);
+        all[i].stress = elastic_stress(
+          elasticity,
+          discretization.geometry().strain(gradient, values, position),
+          0,
+          0);
+      }
+    return all;
+  }
 
+
+
+  template <int dim>
+  void
+  PointValues<dim>::add_shares(const Cell         &cell,
+                               const Point<dim>   &position,
+                               const unsigned int  place,
+                               std::vector<Share> &shares) const
+  {
+    const std::vector<BasisAt>           basis = basis_at(cell, position);
+    std::vector<types::global_dof_index> dofs(basis.size());
+    cell->get_dof_indices(dofs);
+    const types::global_dof_index offset =
+      discretization.first_dof(Field::displacement);
+    const auto add = [&](const Form                    form,
+                         const types::global_dof_index dof,
+                         const double                  weight) {
+      if (weight != 0.)
+        shares.push_back({form, place, dof, weight});
+    };
     const bool            has_bodies = discretization.has_bodies();
     const RodCoefficients in_equations =
       discretization.in_equations(cell, position);
     const double section = discretization.of_material(cell, position).section;
     for (unsigned int i = 0; i < dofs.size(); ++i)
       {
-        const auto [component, shape] = fe.system_to_component_index(i);
-        if (discretization.has_field(Field::temperature) && component == 0)
-          {
-            const double value = rounded(base.shape_value(shape, unit_point));
-            add(temperature_form, dofs[i], value);
-            if (has_bodies)
-              add(thermal_form,
-                  dofs[i],
-                  value * in_equations.coupling / section);
-            continue;
-          }
-        const unsigned int d = component - first;
-        if (d == 0)
-          add(displacement_form,
-              dofs[i] - offset,
-              rounded(base.shape_value(shape, unit_point)));
-        Tensor<1, dim> value;
-        Tensor<2, dim> gradient;
-        value[d] = base.shape_value(shape, unit_point);
-        for (unsigned int e = 0; e < dim; ++e)
-          if (const double derivative = base.shape_grad(shape, unit_point)[e];
-              std::abs(derivative) > Tolerances::rounding_of_solution)
-            gradient[d][e] = derivative / box.side_length(e);
-        const double stress = elastic_stress(
-          scene.material,
-          discretization.geometry().strain(gradient, value, position),
-          0,
-          0);
+        const BasisAt &f = basis[i];
+        add(temperature_form, dofs[i], f.theta);
+        add(displacement_form, dofs[i] - offset, f.displacement);
         add(strain_form,
             dofs[i] - offset,
-            stress * in_equations.stiffness / section);
-        if (has_bodies)
-          add(viscous_form,
-              dofs[i] - offset,
-              stress * in_equations.viscosity / section);
+            f.stress * in_equations.stiffness / section);
+        if (!has_bodies)
+          continue;
+        add(thermal_form, dofs[i], f.theta * in_equations.coupling / section);
+        add(viscous_form,
+            dofs[i] - offset,
+            f.stress * in_equations.viscosity / section);
       }
     shares.push_back({n_forms, place, 0, 1.});
   }

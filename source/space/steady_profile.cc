@@ -29,6 +29,9 @@ namespace ThermoContact
                 profile.local_element(i) = *heat.right_temperature;
           }
         discretization.set_zero_in_gaps(Field::temperature, profile);
+        if (const auto entry =
+              discretization.obstacle_entry(Field::temperature))
+          profile.begin()[*entry] = heat.fixed_end_temperature;
         return;
       }
     for (unsigned int i = 0; i < nodal_values.size(); ++i)

@@ -67,6 +67,24 @@ namespace ThermoContact
 
 
   template <int dim>
+  ThermoviscoelasticOperator<dim>::ThermoviscoelasticOperator(
+    const ThermoviscoelasticOperator         &other,
+    std::unique_ptr<const FieldMatrices<dim>> matrices)
+    : discretization(other.discretization)
+    , material(other.material)
+    , is_along_rod(other.is_along_rod)
+    , own_matrices(std::move(matrices))
+    , matrices_(own_matrices.get())
+    , heat_scratch(discretization.make_vector(Field::temperature))
+    , momentum_scratch(discretization.make_vector(Field::displacement))
+  {
+    FieldMaps &maps = *this;
+    maps            = FieldMaps(*matrices_, nullptr);
+  }
+
+
+
+  template <int dim>
   ThermoviscoelasticOperator<dim>::~ThermoviscoelasticOperator() = default;
 
 

@@ -27,10 +27,7 @@ namespace ThermoContact
     if (!body.nonlinear)
       return;
     keep(std::make_unique<LinearSystem<dim>>(
-      std::make_unique<const ThermoviscoelasticOperator<dim>>(
-        body.equations, body.nonlinear->at(state.temperature)),
-      coefficients,
-      rows));
+      body.nonlinear->at(state.temperature), coefficients, rows));
   }
 
 

@@ -53,12 +53,11 @@ namespace ThermoContact
   void
   NewtonStage<dim>::linearize(const double tau, const StageRates &stage)
   {
-    const NonlinearRod::Instant at{end.temperature,
-                                   full.temperature_rate,
-                                   end.displacement,
-                                   full.velocity};
-    auto tangents = std::make_unique<const ThermoviscoelasticOperator<dim>>(
-      body.equations, body.nonlinear->tangents(at));
+    const typename NonlinearTerms<dim>::Instant at{end.temperature,
+                                                   full.temperature_rate,
+                                                   end.displacement,
+                                                   full.velocity};
+    auto tangents = body.nonlinear->tangents(at);
     body.nonlinear->subtract(at, heat, momentum);
     const auto add_product = [&](const double                           sign,
                                  const ThermoviscoelasticOperator<dim> &by) {

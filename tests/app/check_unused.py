@@ -25,7 +25,7 @@ VALUES = {
     **{f"Bodies/a/{name}": "2" for name in (
         "Length", "Cells", "Section", "Stiffness", "Density", "Viscosity", "Coupling", "Conductivity", "Mass",
         "Heat capacity")},
-    "Bodies/a/Temperature": "1", "Bodies/a/Displacement": "0.01*x", "Bodies/a/Velocity": "1",
+    "Bodies/a/Poisson ratio": "0.3", "Bodies/a/Temperature": "1", "Bodies/a/Displacement": "0.01*x", "Bodies/a/Velocity": "1",
     "Contacts/b a/Gap": "0.2", "Contacts/b a/Heat exchange": "2",
     "Mesh/Cells": "20", "Mesh/Refinements": "1",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
@@ -112,6 +112,11 @@ SCENES = [
     ("Bodies = a row, which has them", "Initial values/Temperature; Initial values/Displacement; Initial values/Velocity",
      ROW, ()),
     ("Bodies/a/Kind = mass", OF_RODS, ROW + ("Bodies/a/Kind=mass",), ROW),
+    ("Dimension = 1", "Bodies/a/Poisson ratio", ROW, (PLANE,)),
+    ("Model/Fields = temperature", "Bodies/a/Poisson ratio", (PLANE, "Model/Fields=temperature"), (PLANE,)),
+    ("Bodies/a/Kind = mass", "Bodies/a/Poisson ratio", (PLANE, "Bodies/b/Kind=rod", "Bodies/a/Kind=mass"), (PLANE,)),
+    ("Bodies/a/Kind = mass", "Boundary/right/Surroundings", (PLANE, "Bodies/b/Kind=rod", "Bodies/a/Kind=mass"),
+     (PLANE, "Bodies/b/Kind=rod")),
     ("Bodies/a/Kind = rod", "Bodies/a/Mass", ROW + ("Bodies/a/Kind=rod",), ROW + ("Bodies/a/Kind=mass",)),
     ("Bodies/NAME/Cells = a number for each rod", "Mesh/Cells; Mesh/Refinements", ROW + ("Bodies/b/Cells=4",), ROW),
     ("Model/Fields = temperature", "; ".join(f"Bodies/a/{name}" for name in (

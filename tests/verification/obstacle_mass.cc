@@ -6,7 +6,8 @@
 // 1. On rollers a strip and a block are the rod, and the mass behind them is
 //    the one of a row "bar ram": force, velocity and place of the mass, place
 //    of the bar in its middle, with gravity, heat and viscosity, for an
-//    elastic, a damped and a power law: to rounding, at the same steps.
+//    elastic, a damped and a power law: to rounding, at the same steps. So is
+//    the temperature of the mass, which exchanges heat with the bar.
 // 2. A mass that nothing meets: m Y'' + d Y' + k Y = t, with m = 2, k = 8, d =
 //    0.4, t = 0.3 in the mean and Y' = 1 at first: Y = t/k + exp(-c t) (A cos(w
 //    t) + B sin(w t)), c = d/(2 m), w^2 = k/m - c^2. The impulse at the right
@@ -33,23 +34,30 @@ namespace
 
   template <int dim>
   double
-  difference_from_row(const Overrides &law)
+  difference_from_row(const Overrides &law, const std::string &exchange = "0")
   {
-    const Overrides scene = law + Overrides{"Model/Viscosity=0.05",
+    const Overrides   scene = law + Overrides{"Model/Viscosity=0.05",
                                             "Model/Coupling=0.3",
                                             "Contact/Gap=0.02",
                                             "Sources/Body force=-0.1",
-                                            "Boundary/right/Heat exchange=0",
                                             "Mesh/Degree=2",
                                             "Time/Scheme=sdirk4",
                                             "Time/Step size=0.02",
                                             "Time/Locate contact events=false",
                                             "Time/End time=2"};
-    const Overrides ram =
-      body("ram", {"Kind=mass", "Mass=0.7", "Velocity=-0.3"});
-    const RecordedRun row = run<1>("",
+    const Overrides   ram   = body("ram",
+                               {"Kind=mass",
+                                    "Mass=0.7",
+                                    "Velocity=-0.3",
+                                    "Temperature=5",
+                                    "Heat capacity=0.4"});
+    const RecordedRun row   = run<1>("",
                                    body("bar", {"Cells=8"}) + ram + scene +
-                                     Overrides{"Boundary/right/Support=free"});
+                                     Overrides{"Boundary/right/Support=free",
+                                               "Boundary/right/Heat exchange=0",
+                                               "Contacts/bar ram/Heat "
+                                                 "exchange=" +
+                                                 exchange});
     const RecordedRun of_body =
       run<dim>("",
                body("bar", {"Kind=rod"}) + ram + scene +
@@ -59,6 +67,7 @@ namespace
                            "Initial values/Temperature=0",
                            "Initial values/Displacement=0",
                            "Initial values/Velocity=0",
+                           "Boundary/right/Heat exchange=" + exchange,
                            "Boundary/sides/Support=rollers"});
     double difference = row.rows.size() == of_body.rows.size() ? 0. : 1.;
     double force      = 0.;
@@ -70,6 +79,10 @@ namespace
               std::abs(one.displacement_end - other.obstacle_displacement));
         raise(difference, std::abs(one.velocity_end - other.obstacle_velocity));
         raise(difference, std::abs(one.contacts[0].gap - other.gap));
+        raise(difference,
+              std::abs(one.temperature_end - other.obstacle_temperature));
+        raise(difference,
+              std::abs(one.contacts[0].heat_flux - other.heat_flux_end));
         raise(force, one.contact_force);
       }
     return force > 0.1 ? difference : 1.;
@@ -220,8 +233,15 @@ main_obstacle_mass()
                                                   "Contact/Compliance=0.05"}),
                           1e-10)
           << std::endl;
+  deallog << "row, heat: "
+          << noise_within(difference_from_row<2>(elastic, "2"), 1e-10) << ' '
+          << noise_within(difference_from_row<3>(elastic, "0.5"), 1e-10)
+          << std::endl;
   check_oscillator();
-  check_impact<2>("strip", {"Contact/Gap=0.01"});
+  check_impact<2>("strip",
+                  {"Contact/Gap=0.01",
+                   "Boundary/right/Heat exchange=0.1/(0.1+gap)+5*pressure",
+                   "Bodies/ram/Temperature=3"});
   check_impact<2>("round bar",
                   {"Contact/Gap=0.01+y^2", "Mesh/Geometry=axisymmetric"});
   check_impact<3>("block",

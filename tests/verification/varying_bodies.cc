@@ -26,7 +26,15 @@
 // 6. Everything varies, in x and y, elastic and rigid contact of nodes with and
 //    without mass: E + D + N - W is that of the start to 1e-12.
 // 7. Mirrored in y, E(W - y), ...: the mirror image.
-// 8. The mesh: lines at y = 0.02 and 0.07, at x = 0.3; an oblique jump is
+// 8. Coefficients of the temperature: on rollers the rod with the same ones, at
+//    every row, and E + D + N - W that of the start. A strip at rest with free
+//    sides, theta = 10 everywhere, pulled by T, E = 1 + theta/10 = 2, a (1 +
+//    theta/20) = 1.5 a: two linear equations for its strains.
+// 9. Poisson ratios: along a block on rollers the strains are T over the P-wave
+//    moduli, Y (1 - nu)/((1 + nu)(1 - 2 nu)), where the Young's modulus Y is
+//    the same; layers with free sides whose Y/(1 - nu^2) is the same, Y_0, are
+//    all strained by e = T/Y_0, and get thinner by nu/(1 - nu) e.
+// 10. The mesh: lines at y = 0.02 and 0.07, at x = 0.3; an oblique jump is
 //    doubted; jumps on the faces of the body make no cells.
 
 #include <thermocontact/space/load_scan.h>
@@ -34,6 +42,7 @@
 
 #include <deal.II/base/function.h>
 
+#include <deal.II/numerics/fe_field_function.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <algorithm>
@@ -80,6 +89,21 @@ namespace
                             simulation.body().discretization,
                             {{place, place}});
     return values.evaluate(simulation.state())[quantity];
+  }
+
+
+
+  /** How much wider a strip is at x = 0.4 than it was. */
+  double
+  value_across(Simulation<2> &simulation)
+  {
+    const Discretization<2> &space = simulation.body().discretization;
+    const auto all = space.with_ghosts(simulation.state().temperature,
+                                       simulation.state().displacement);
+    const Functions::FEFieldFunction<2, std::decay_t<decltype(all)>> field(
+      space.dof_handler(), all, space.mapping());
+    const unsigned int y = space.n_components() - 1;
+    return field.value({0.4, 0.1 - 1e-14}, y) - field.value({0.4, 1e-14}, y);
   }
 
 
@@ -235,18 +259,32 @@ namespace
 
   // ------------------------------------------------------- 4. the rod
 
+  const Overrides of_places = body("bar",
+                                   {"Stiffness=if(x<0.4,1,2)*(1+x)",
+                                    "Density=if(x<0.4,1,2)*(1+x)",
+                                    "Viscosity=1-0.5*x",
+                                    "Coupling=if(x<0.7,1,-3)",
+                                    "Conductivity=exp(x)",
+                                    "Heat capacity=if(x<0.4,3,1)"});
+
+  const Overrides of_temperature =
+    body("bar",
+         {"Stiffness=if(x<0.4,1,2)*(1+x)/(1+0.02*theta)",
+          "Density=if(x<0.4,1,2)*(1+x)",
+          "Viscosity=(1-0.5*x)*exp(0.03*theta)",
+          "Coupling=if(x<0.7,1,-3)*(1+0.03*theta)",
+          "Conductivity=exp(x+0.03*theta)",
+          "Heat capacity=if(x<0.4,3,1)*exp(0.05*theta)"});
+
+
+
   template <int dim>
   double
-  difference_from_rod(const unsigned int degree, const Overrides &more)
+  difference_from_rod(const Overrides   &coefficients,
+                      const unsigned int degree,
+                      const Overrides   &more)
   {
-    const Overrides scene = more +
-                            body("bar",
-                                 {"Stiffness=if(x<0.4,1,2)*(1+x)",
-                                  "Density=if(x<0.4,1,2)*(1+x)",
-                                  "Viscosity=1-0.5*x",
-                                  "Coupling=if(x<0.7,1,-3)",
-                                  "Conductivity=exp(x)",
-                                  "Heat capacity=if(x<0.4,3,1)"}) +
+    const Overrides scene = coefficients +
                             Overrides{"Model/Viscosity=0.05",
                                       "Model/Coupling=0.3",
                                       "Contact/Massless nodes=off",
@@ -255,7 +293,8 @@ namespace
                                       entry("Mesh/Degree", degree),
                                       "Time/Scheme=sdirk4",
                                       "Time/Step size=0.02",
-                                      "Time/End time=1"};
+                                      "Time/End time=1"} +
+                            more;
     const RecordedRun rod = run<1>("", scene + body("bar", {"Cells=10"}));
     const RecordedRun of_body =
       run<dim>("",
@@ -263,6 +302,7 @@ namespace
                  Overrides{"Initial values/Temperature=0",
                            "Initial values/Displacement=0",
                            "Initial values/Velocity=0",
+                           "Model/Poisson ratio=0.3",
                            "Boundary/sides/Support=rollers",
                            "Mesh/Cells=10",
                            "Mesh/Cells across=1"});
@@ -356,6 +396,15 @@ namespace
                               "Conductivity=exp(x+4*y)",
                               "Heat capacity=if(x<0.6,3,1)"};
 
+  const Overrides all_of_temperature = {
+    "Stiffness=if(y<0.03,1,2)*(1+x)/(1+0.01*theta)",
+    "Poisson ratio=0.1+x*y",
+    "Density=if(x<0.6,1,2)*(1+5*y)",
+    "Viscosity=(1-0.5*x+y)*exp(0.03*theta)",
+    "Coupling=if(y<0.03,1,-3)*(1+0.02*theta)",
+    "Conductivity=exp(x+4*y+0.03*theta)",
+    "Heat capacity=if(x<0.6,3,1)*exp(0.02*theta)"};
+
   const Overrides mirrored = {"Stiffness=if(y>0.07,1,2)*(1+x)",
                               "Density=if(x<0.6,1,2)*(1.5-5*y)",
                               "Viscosity=1.1-0.5*x-y",
@@ -379,10 +428,12 @@ namespace
 
 
   void
-  check_balance(const std::string &name, const Overrides &contact)
+  check_balance(const std::string &name,
+                const Overrides   &contact,
+                const Overrides   &coefficients = all_vary)
   {
     const RecordedRun result =
-      run<2>("", thrown + body("plate", all_vary) + contact);
+      run<2>("", thrown + body("plate", coefficients) + contact);
     double defect = 0., force = 0., dissipation = 0.;
     for (const StepRecord &row : result.rows)
       {
@@ -422,7 +473,136 @@ namespace
 
 
 
-  // ------------------------------------------------------------ 8. meshes
+  // --------------------------------------------------- 8. of temperature
+
+  void
+  check_coefficients_of_temperature()
+  {
+    deallog << "of theta, rod: "
+            << noise_within(difference_from_rod<2>(of_temperature,
+                                                   2,
+                                                   {"Contact/Gap=0.01"}),
+                            1e-10)
+            << ' '
+            << noise_within(
+                 difference_from_rod<2>(of_temperature,
+                                        3,
+                                        {"Contact/Gap=0.01",
+                                         "Model/Thermoelastic heating=false",
+                                         "Contact/Condition=normal "
+                                         "compliance"}),
+                 1e-10)
+            << ' '
+            << noise_within(difference_from_rod<3>(of_temperature,
+                                                   2,
+                                                   {"Contact/Gap=0.01",
+                                                    "Mesh/Mass matrix=lumped",
+                                                    "Time/End time=0.2"}),
+                            1e-10)
+            << std::endl;
+
+    const double nu = 0.3, lambda = nu / (1. - nu), T = 0.1, a = 1.5 * 0.017;
+    const double right[2]    = {(T + a * 10.) / 2., a * 10. / 2.};
+    const double determinant = 1. - lambda * lambda;
+    const double along       = (right[0] - lambda * right[1]) / determinant,
+                 across      = (right[1] - lambda * right[0]) / determinant;
+    Simulation<2> simulation(
+      read_parameters("",
+                      at_rest + dimension(2) +
+                        body("strip",
+                             {"Stiffness=1+theta/10",
+                              "Coupling=1+theta/20",
+                              "Conductivity=exp(theta)"}) +
+                        Overrides{"Model/Poisson ratio=0.3",
+                                  "Boundary/right/Traction=0.1",
+                                  "Initial values/Temperature=theta_A",
+                                  "Boundary/right/Heat exchange=0",
+                                  "Mesh/Degree=1",
+                                  "Mesh/Cells=3",
+                                  "Mesh/Cells across=2"}),
+      MPI_COMM_SELF);
+    simulation.run({});
+    const StepRecord &last  = simulation.record();
+    const Point<2>    place = {0.4, 0.08};
+    deallog
+      << "of theta, free: u "
+      << noise_within(std::abs(last.displacement_end - along), 1e-12) << ' '
+      << noise_within(
+           std::abs(value_at(simulation, place, PointValues<2>::displacement) -
+                    0.4 * along),
+           1e-12)
+      << ", across "
+      << noise_within(std::abs(value_across(simulation) - 0.1 * across), 1e-12)
+      << ", stress "
+      << noise_within(
+           std::abs(value_at(simulation, place, PointValues<2>::stress) - T),
+           1e-11)
+      << std::endl;
+  }
+
+
+
+  // --------------------------------------------------- 9. Poisson ratios
+
+  void
+  check_poisson_ratios()
+  {
+    const auto p_wave = [](const double nu) {
+      return (1. - nu) / ((1. + nu) * (1. - 2. * nu));
+    };
+    const StepRecord series =
+      run<3>("",
+             at_rest + elastic + dimension(3) +
+               body("block", {"Poisson ratio=if(x<0.4,0.2,0.4)"}) +
+               Overrides{"Model/Poisson ratio=0.2",
+                         "Boundary/sides/Support=rollers",
+                         "Boundary/right/Traction=0.1",
+                         "Mesh/Cells=2",
+                         "Mesh/Cells across=1",
+                         "Mesh/Degree=1"})
+        .rows.back();
+    deallog << "Poisson ratios: along "
+            << noise_within(std::abs(series.displacement_end -
+                                     0.1 *
+                                       (0.4 + 0.6 * p_wave(0.2) / p_wave(0.4))),
+                            1e-12);
+
+    const double  e = 0.02, Y = 1. / p_wave(0.2), h = 0.03, W = 0.1;
+    Simulation<2> simulation(
+      read_parameters("",
+                      at_rest + elastic + dimension(2) +
+                        body("strip",
+                             {"Poisson ratio=if(y<0.03,-0.1,0.4)",
+                              "Stiffness=if(y<0.03,0.99,0.84)"}) +
+                        Overrides{"Model/Poisson ratio=0.2",
+                                  "Boundary/right/Traction=" + number(e * Y),
+                                  "Mesh/Cells=3",
+                                  "Mesh/Cells across=2",
+                                  "Mesh/Degree=1"}),
+      MPI_COMM_SELF);
+    simulation.run({});
+    double u = 0., stress = 0.;
+    for (const double y : {0.01, 0.05})
+      {
+        const Point<2> place(0.4, y);
+        raise(u,
+              std::abs(
+                value_at(simulation, place, PointValues<2>::displacement) -
+                0.4 * e));
+        raise(stress,
+              std::abs(value_at(simulation, place, PointValues<2>::stress) -
+                       e * Y));
+      }
+    const double across = -e * (-0.1 / 1.1 * h + 0.4 / 0.6 * (W - h));
+    deallog << ", layers u " << noise_within(u, 1e-12) << ", stress "
+            << noise_within(stress, 1e-11) << ", across "
+            << noise_within(std::abs(value_across(simulation) - across), 1e-12)
+            << std::endl;
+  }
+
+
+
+  // ----------------------------------------------------------- 10. meshes
 
   void
   check_mesh(const std::string &name, const std::string &stiffness)
@@ -458,14 +638,19 @@ main_varying_bodies()
   check_bimetal();
   check_heat_across();
   deallog << "rod: "
-          << noise_within(difference_from_rod<2>(2, {"Contact/Gap=0.01"}),
+          << noise_within(difference_from_rod<2>(of_places,
+                                                 2,
+                                                 {"Contact/Gap=0.01"}),
                           1e-10)
           << ' '
-          << noise_within(difference_from_rod<3>(
-                            2, {"Contact/Gap=0.01", "Mesh/Mass matrix=lumped"}),
+          << noise_within(difference_from_rod<3>(of_places,
+                                                 2,
+                                                 {"Contact/Gap=0.01",
+                                                  "Mesh/Mass matrix=lumped"}),
                           1e-10)
           << ' '
-          << noise_within(difference_from_rod<2>(3,
+          << noise_within(difference_from_rod<2>(of_places,
+                                                 3,
                                                  {"Contact/Gap=0.01",
                                                   "Contact/Condition=normal "
                                                   "compliance"}),
@@ -481,7 +666,10 @@ main_varying_bodies()
                 {"Contact/Condition=normal compliance",
                  "Contact/Compliance=0.1",
                  "Contact/Massless nodes=off"});
+  check_balance("of theta", {"Contact/Condition=rigid"}, all_of_temperature);
   check_mirror_image();
+  check_coefficients_of_temperature();
+  check_poisson_ratios();
   check_mesh("layers", "if(y<0.02,1,if(y<0.07,2,3))*if(x<0.3,1,2)");
   check_mesh("inclusion", "if(x<0.5 && y<0.05,3,1)");
   check_mesh("oblique", "if(y<0.05+0.01*x,2,1)");

@@ -40,6 +40,11 @@ namespace ThermoContact
       bool on_temperature = false; ///< of the body, or of the obstacle
       bool on_time        = false;
 
+      /** The flux, rather: on the temperature of an obstacle that has a mass,
+       * which the matrices do not know. */
+      bool on_partner = false;
+
+      /** Of the coefficient. */
       bool
       any() const
       {
@@ -67,11 +72,12 @@ namespace ThermoContact
       return dependence_;
     }
 
-    /** True if $k$ depends on nothing, so that the exchange is linear. */
+    /** True if $k$ depends on nothing, so that the exchange is linear, and
+     * the matrices contain it. */
     bool
     is_constant() const
     {
-      return !dependence_.any();
+      return !dependence_.any() && !dependence_.on_partner;
     }
 
     /**

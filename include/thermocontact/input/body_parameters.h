@@ -43,6 +43,9 @@ namespace ThermoContact
     RodCoefficient conductivity;  ///< $K$
     RodCoefficient heat_capacity; ///< $c$, or $C$ of a mass
 
+    /** $\nu$, dim > 1, a number or an expression; none: of section Model. */
+    std::string poisson_ratio = "none";
+
     std::string temperature  = "0";
     std::string displacement = "0";
     std::string velocity     = "0";

@@ -14,9 +14,10 @@ namespace ThermoContact
 {
   /**
    * The coefficients of a body in two or three dimensions, (M10.9): numbers, or
-   * expressions of its places. Where they jump across a plane at right angles
-   * to an axis the mesh has nodes, and where they have kinks there if its cells
-   * are not linear; planes are found along a few lines through the body.
+   * expressions of its places and temperature. Where they jump across a plane
+   * at right angles to an axis the mesh has nodes, and where they have kinks
+   * there if its cells are not linear; planes are found along a few lines
+   * through the body.
    */
   class BodyProfile
   {
@@ -36,25 +37,35 @@ namespace ThermoContact
       return all.vary();
     }
 
+    bool
+    depends_on_temperature() const
+    {
+      return !all.of_temperature().empty();
+    }
+
     const MaterialCoefficients &
     coefficients() const
     {
       return all;
     }
 
-    /** The first expression of the temperature; null: there is none. */
-    const Expression *
-    of_temperature() const;
-
     /**
-     * At a place, x, y and z; at a jump it is the expression's choice.
+     * At a place, x, y and z, and a temperature; at a jump it is the
+     * expression's choice.
      *
      * @throw InputError if a value is not allowed
      */
     RodCoefficients
-    at(const std::array<double, 3> &place) const
+    at(const std::array<double, 3> &place, const double theta = 0.) const
     {
-      return all.in_equations({{place[1], place[2], 0., place[0]}});
+      return all.in_equations({{place[1], place[2], theta, place[0]}});
+    }
+
+    /** MaterialCoefficients::tangents() there; throws likewise. */
+    RodTangents
+    tangents(const std::array<double, 3> &place, const double theta) const
+    {
+      return all.tangents({{place[1], place[2], theta, place[0]}});
     }
 
     /** Where the mesh has nodes, along the body and across it. */

@@ -3,6 +3,7 @@
 #ifndef thermocontact_scene_material_coefficients_h
 #define thermocontact_scene_material_coefficients_h
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/time_function.h>
@@ -16,17 +17,40 @@
 
 namespace ThermoContact
 {
+  /** Lame coefficients of unit P-wave modulus, (M1.6). */
+  struct Elasticity
+  {
+    double lambda, two_mu;
+  };
+
+  /** @param nu Poisson ratio */
+  inline Elasticity
+  elasticity_of(const double nu)
+  {
+    return {nu / (1. - nu), (1. - 2. * nu) / (1. - nu)};
+  }
+
   /** Factors of the terms of the equations in a body of section Bodies,
    * (M10.1), with the section A of a rod, which is 1 in two and three
-   * dimensions. */
+   * dimensions, and the Poisson ratio of a body that has one of its own;
+   * stiffness and viscosity are factors of P-wave moduli. */
   struct RodCoefficients
   {
     double section = 0., heat_mass = 0., conduction = 0., coupling = 0.,
-           inertia = 0., stiffness = 0., viscosity = 0.;
+           inertia = 0., stiffness = 0., viscosity = 0., poisson_ratio = 0.;
+
+    RodCoefficients &
+    operator-=(const RodCoefficients &other);
   };
 
   bool
   operator==(const RodCoefficients &one, const RodCoefficients &other);
+
+  /** Coefficients with their derivatives in the temperature. */
+  struct RodTangents
+  {
+    RodCoefficients value, slope;
+  };
 
 
 
@@ -58,6 +82,7 @@ namespace ThermoContact
       coupling,
       conductivity,
       heat_capacity,
+      poisson_ratio,
       n_names
     };
 
@@ -99,12 +124,20 @@ namespace ThermoContact
 
     /** The members of RodCoefficients in their order; throws likewise. */
     template <typename Number>
-    std::array<Number, 7>
+    std::array<Number, 8>
     terms(const Variables<Number> &variables) const;
 
     /** terms() of numbers. */
     RodCoefficients
     in_equations(const Variables<double> &variables) const;
+
+    /** The same with the derivatives in theta of the branch that holds. */
+    RodTangents
+    tangents(const Variables<double> &variables) const;
+
+    /** The coefficients that depend on the temperature. */
+    std::vector<const Expression *>
+    of_temperature() const;
 
     /** Whether they are the same numbers and expressions. */
     bool
@@ -116,8 +149,9 @@ namespace ThermoContact
       std::string               entry;
       double                    number = 1.;
       std::optional<Expression> expression;
-      bool                      may_be_zero     = false;
-      bool                      may_be_negative = false;
+      double                    lower = 0., upper = infinity;
+      bool                      may_be_lower = false;
+      std::string               allowed      = "positive numbers";
     };
 
     std::array<std::string, 4>       variable_names;

@@ -12,14 +12,6 @@
 
 namespace ThermoContact
 {
-  /** Coefficients with their derivatives in the temperature. */
-  struct RodTangents
-  {
-    RodCoefficients value, slope;
-  };
-
-
-
   /**
    * The coefficients of a rod of a row along its length, (M10.1): numbers, or
    * expressions of $x$, which is 0 at the left end of the rod and its length at
@@ -43,7 +35,10 @@ namespace ThermoContact
 
     /** The coefficients that depend on the temperature; of this object. */
     std::vector<const Expression *>
-    of_temperature() const;
+    of_temperature() const
+    {
+      return all.of_temperature();
+    }
 
     /**
      * At a place and a temperature; at a jump it is the expression's choice.

@@ -50,6 +50,12 @@ namespace ThermoContact
     double two_mu;
     bool   has_dashpots; ///< at the ends of a rod
 
+    Elasticity
+    elasticity() const
+    {
+      return {lambda, two_mu};
+    }
+
     bool
     has_inertia() const
     {
@@ -407,13 +413,27 @@ namespace ThermoContact
     double mass;
     double spring, dashpot; ///< that hold it from behind
     double velocity;        ///< at the start
+
+    /** $C$ per area, and the temperature at the start; none: the scene has no
+     * temperature. */
+    std::optional<double> heat_capacity;
+    double                temperature;
+
+    /** The same whatever its start. */
+    ObstacleMass
+    without_start() const
+    {
+      return {mass, spring, dashpot, 0., heat_capacity, 0.};
+    }
   };
 
   inline bool
   operator==(const ObstacleMass &one, const ObstacleMass &other)
   {
     return one.mass == other.mass && one.spring == other.spring &&
-           one.dashpot == other.dashpot && one.velocity == other.velocity;
+           one.dashpot == other.dashpot && one.velocity == other.velocity &&
+           one.heat_capacity == other.heat_capacity &&
+           one.temperature == other.temperature;
   }
 
 

@@ -78,6 +78,7 @@ namespace ThermoContact
 
     double obstacle_displacement = 0.; ///< of one that has a mass
     double obstacle_velocity     = 0.;
+    double obstacle_temperature  = 0.;
 
     EnergyTerms energy_terms; ///< the terms of energy; not in the file
 
@@ -146,6 +147,11 @@ namespace ThermoContact
              &R::obstacle_displacement,
              has_obstacle_mass);
       column("obstacle_velocity", &R::obstacle_velocity, has_obstacle_mass);
+      column("obstacle_temperature",
+             &R::obstacle_temperature,
+             [](const Scene &scene) {
+               return scene.obstacle_mass && scene.obstacle_mass->heat_capacity;
+             });
     }
 
     template <class Archive>

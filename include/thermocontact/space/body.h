@@ -9,7 +9,7 @@
 #include <thermocontact/space/driven_end.h>
 #include <thermocontact/space/energy.h>
 #include <thermocontact/space/loads.h>
-#include <thermocontact/space/nonlinear_rod.h>
+#include <thermocontact/space/nonlinear_terms.h>
 #include <thermocontact/space/obstacle_motion.h>
 #include <thermocontact/space/problem_data.h>
 #include <thermocontact/space/surroundings.h>
@@ -58,7 +58,7 @@ namespace ThermoContact
     BoundaryFlows<dim>                               boundary_flows;
 
     /** Null where no coefficient depends on the temperature. */
-    const std::unique_ptr<const NonlinearRod> nonlinear;
+    const std::unique_ptr<const NonlinearTerms<dim>> nonlinear;
 
     /** The law of the obstacle in front; contacts of a row may have their own
      * numbers, SceneContact::law_at(). */

@@ -23,6 +23,25 @@ namespace ThermoContact
 
 
 
+  /** A basis function of a cell at a point, for products. */
+  template <int dim>
+  struct CellBasis
+  {
+    double         theta = 0.;
+    Tensor<1, dim> grad_theta;
+    Strain         strain;
+  };
+
+  /** All basis functions of a cell at a point; absent fields have none. */
+  template <int dim>
+  void
+  evaluate_basis(const Discretization<dim>   &discretization,
+                 const FEValues<dim>         &fe_values,
+                 const unsigned int           q,
+                 std::vector<CellBasis<dim>> &basis);
+
+
+
   template <int dim>
   using CoefficientAt = std::function<double(const Point<dim> &)>;
 

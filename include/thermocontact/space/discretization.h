@@ -216,10 +216,23 @@ namespace ThermoContact
                  const Point<dim> &place,
                  const double      theta = 0.) const;
 
-    /** The same of the material there at $\theta=0$, where the cell of a rod
-     * has means, (M10.7). */
+    /** The same of the material there, where the cell of a rod has means,
+     * (M10.7). */
     RodCoefficients
-    of_material(const Cell &cell, const Point<dim> &place) const;
+    of_material(const Cell       &cell,
+                const Point<dim> &place,
+                const double      theta = 0.) const;
+
+    /** Lame coefficients there, of unit P-wave modulus. */
+    Elasticity
+    elasticity(const Cell &cell, const Point<dim> &place) const;
+
+    /** BodyRow::beyond_zero() at a place of a cell, for a body of several
+     * dimensions the difference itself. */
+    RodTangents
+    beyond_zero(const Cell       &cell,
+                const Point<dim> &place,
+                const double      theta) const;
 
     /** False: in_equations() are the same in all of the cell. */
     bool
@@ -248,21 +261,21 @@ namespace ThermoContact
       return of_obstacle.size() == 0 || node[0] < 1.5 * geometry_.corner()[0];
     }
 
-    /** The place of an obstacle that has a mass, within displacements; invalid:
-     * there is none. */
+    /** The place or the temperature of an obstacle that has a mass, within the
+     * field; invalid: there is none. */
     types::global_dof_index
-    obstacle_dof() const
+    obstacle_dof(const Field::Block field) const
     {
-      return obstacle_dof_;
+      return obstacle_dof_[field];
     }
 
     /** The same in the local part of a vector, of the rank that owns it. */
     std::optional<unsigned int>
-    obstacle_entry() const;
+    obstacle_entry(const Field::Block field) const;
 
-    /** Its value in a displacement or velocity, on all ranks. */
+    /** Its value in a vector of the field, on all ranks. */
     double
-    obstacle_value(const Vector &vector) const;
+    obstacle_value(const Field::Block field, const Vector &vector) const;
 
     /** The place in a vector of a field of the node at the right end of a rod.
      */
@@ -360,6 +373,12 @@ namespace ThermoContact
     BlockVector
     make_ghosted_vector() const;
 
+    /** Both fields in one such vector; collective.
+     *
+     * @param temperature,displacement empty: zeros */
+    BlockVector
+    with_ghosts(const Vector &temperature, const Vector &displacement) const;
+
     /**
      * A block for each field, of the layout of make_vector(). For reinit(), not
      * to be assigned: an empty block, of a field that there is not, would keep
@@ -420,16 +439,23 @@ namespace ThermoContact
 
     const BodyRow                    row_;
     const std::optional<BodyProfile> profile;
+    const Elasticity                 elasticity_; ///< of a body without one
 
     /** Of the cell of an obstacle that has a mass, and its faces; those of
      * boxes are small numbers. */
     static constexpr types::material_id obstacle_material = 100;
     static constexpr types::boundary_id obstacle_boundary = 100;
 
-    types::global_dof_index obstacle_dof_ = numbers::invalid_dof_index;
+    /** Of the fields. */
+    std::array<types::global_dof_index, 2> obstacle_dof_{
+      {numbers::invalid_dof_index, numbers::invalid_dof_index}};
 
     IndexSet     of_obstacle; ///< all indices of its cell; empty: there is none
     const double exchange_coefficient_;
+
+    /** x, y and z of a place, right within its cell: jumps are on faces. */
+    std::array<double, 3>
+    inside(const Cell &cell, const Point<dim> &place) const;
 
     void
     make_grid(const SpatialScene &scene);

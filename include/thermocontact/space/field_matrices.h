@@ -9,6 +9,7 @@
 #include <thermocontact/space/discretization.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -60,8 +61,18 @@ namespace ThermoContact
       return rod_.get();
     }
 
-  private:
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+    /** Adds the matrix of a cell, in all of its degrees of freedom. */
+    using AddPart = std::function<
+      void(const Kind kind, const Cell &cell, const FullMatrix<double> &part)>;
+
+    /** Of a body: these matrices and all that @p add_parts adds to them. */
+    std::unique_ptr<const FieldMatrices>
+    with(const std::function<void(const AddPart &add)> &add_parts) const;
+
+  private:
+    FieldMatrices(const FieldMatrices &other);
 
     const SpatialScene                   scene;
     const Discretization<dim>           &discretization;
@@ -91,6 +102,10 @@ namespace ThermoContact
     /** Of a body. */
     void
     assemble();
+
+    /** After parts of cells were added. */
+    void
+    compress();
 
     /**
      * Not from assembled matrices: in a row of those the parts of two cells

@@ -20,6 +20,13 @@ namespace ThermoContact
   {
     dealii::SymmetricTensor<2, 3> tensor;
     double                        trace = 0.; ///< divergence
+
+    void
+    add(const double factor, const Strain &other)
+    {
+      tensor += factor * other.tensor;
+      trace += factor * other.trace;
+    }
   };
 
 
@@ -138,25 +145,33 @@ namespace ThermoContact
 
   /** $C\varepsilon:\varepsilon'$ of the elasticity (M1.6). */
   inline double
-  elastic_product(const Material &material,
-                  const Strain   &first,
-                  const Strain   &second)
+  elastic_product(const Elasticity &of_body,
+                  const Strain     &first,
+                  const Strain     &second)
   {
-    return material.lambda * first.trace * second.trace +
-           material.two_mu * (first.tensor * second.tensor);
+    return of_body.lambda * first.trace * second.trace +
+           of_body.two_mu * (first.tensor * second.tensor);
   }
 
 
 
-  /** Component of the elastic stress $C\varepsilon$. */
+  /** The elastic stress $C\varepsilon$. */
+  inline dealii::SymmetricTensor<2, 3>
+  elastic_stress(const Elasticity &of_body, const Strain &strain)
+  {
+    return of_body.two_mu * strain.tensor +
+           of_body.lambda * strain.trace * dealii::unit_symmetric_tensor<3>();
+  }
+
+  /** Component of it. */
   inline double
-  elastic_stress(const Material    &material,
+  elastic_stress(const Elasticity  &of_body,
                  const Strain      &strain,
                  const unsigned int d,
                  const unsigned int e)
   {
-    return material.two_mu * strain.tensor[d][e] +
-           (d == e ? material.lambda * strain.trace : 0.);
+    return of_body.two_mu * strain.tensor[d][e] +
+           (d == e ? of_body.lambda * strain.trace : 0.);
   }
 } // namespace ThermoContact
 

@@ -130,14 +130,29 @@ namespace ThermoContact
       }
     };
 
-    /** A cell of a place in a rod whose coefficients depend on the temperature,
-     * (M10.8). */
+    using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+    /** A basis function at a place. */
+    struct BasisAt
+    {
+      double theta        = 0.;
+      double displacement = 0.; ///< along x
+      double stress       = 0.; ///< along x, as of strain_form
+    };
+
+    /** All of a cell there. */
+    std::vector<BasisAt>
+    basis_at(const Cell &cell, const Point<dim> &position) const;
+
+    /** A cell of a place in a body whose coefficients depend on the
+     * temperature, (M10.8). */
     struct LawPlace
     {
-      unsigned int        place, cell;
-      double              x;
-      double              weight;       ///< over the section
-      std::vector<double> value, slope; ///< of the basis
+      unsigned int        place;
+      Cell                cell;
+      Point<dim>          position;
+      double              weight;        ///< over the section
+      std::vector<double> value, stress; ///< of BasisAt
     };
 
     const Scene                           &scene;
@@ -154,9 +169,9 @@ namespace ThermoContact
      * of cells.
      */
     void
-    add_shares(const typename DoFHandler<dim>::active_cell_iterator &cell,
-               const Point<dim>                                     &position,
-               const unsigned int                                    place,
+    add_shares(const Cell         &cell,
+               const Point<dim>   &position,
+               const unsigned int  place,
                std::vector<Share> &shares) const;
 
     /** The shares of the cells that this rank owns. */

@@ -42,10 +42,15 @@ namespace ThermoContact
                                const Discretization<dim> &discretization,
                                const FieldMatrices<dim>  *matrices);
 
-    /** The equations of a rod with other matrices, which it takes over: such as
+    /** The same equations with other matrices, which it takes over: such as
      * tangents of coefficients of the temperature. */
     ThermoviscoelasticOperator(const ThermoviscoelasticOperator  &other,
                                std::unique_ptr<const RodMatrices> rod);
+
+    /** The same of a body of several dimensions. */
+    ThermoviscoelasticOperator(
+      const ThermoviscoelasticOperator         &other,
+      std::unique_ptr<const FieldMatrices<dim>> matrices);
 
     ~ThermoviscoelasticOperator();
 
@@ -179,9 +184,10 @@ namespace ThermoContact
     zero_constrained(const Field::Block field, Vector &vector) const;
 
   private:
-    const Discretization<dim> &discretization;
-    const Material            &material;
-    const bool                 is_along_rod;
+    const Discretization<dim>                      &discretization;
+    const Material                                 &material;
+    const bool                                      is_along_rod;
+    const std::unique_ptr<const FieldMatrices<dim>> own_matrices; ///< or null
     /** One of the two is there. */
     const FieldMatrices<dim> *const                        matrices_;
     const std::unique_ptr<const CellProducts<dim, double>> cell_products_;

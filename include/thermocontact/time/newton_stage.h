@@ -17,7 +17,7 @@ namespace ThermoContact
   class NewtonStage
   {
   public:
-    /** @param body borrowed; has a NonlinearRod */
+    /** @param body borrowed; has NonlinearTerms */
     explicit NewtonStage(const Body<dim> &body);
 
     StageSolver &

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef thermocontact_space_nonlinear_terms_h
+#define thermocontact_space_nonlinear_terms_h
+
+#include <thermocontact/base/types.h>
+#include <thermocontact/scene/scene.h>
+#include <thermocontact/space/thermoviscoelastic_operator.h>
+
+#include <memory>
+
+namespace ThermoContact
+{
+  /**
+   * What coefficients that depend on the temperature add to the equations,
+   * (M10.8). The matrices of the body have the coefficients at $\theta=0$; the
+   * difference is here, integrated with the rules of the matrices:
+   * @f[
+   *   R_\theta = \int (c-c_0)\theta'\eta + (K-K_0)\nabla\theta\cdot\nabla\eta
+   *     + (a-a_0)\,\mathrm{div}\,v\,\eta, \quad
+   *   R_u = \int \bigl((E-E_0)\,C\varepsilon(u)
+   *     + (E\zeta-E_0\zeta_0)\,C\varepsilon(v)
+   *     - (a-a_0)\theta I\bigr):\varepsilon(\varphi) .
+   * @f]
+   *
+   * All is nondimensional; vectors are those of Discretization::make_vector().
+   */
+  template <int dim>
+  class NonlinearTerms
+  {
+  public:
+    virtual ~NonlinearTerms() = default;
+
+    /** The body at an instant; velocities and rates with those of its ends.
+     * Empty vectors are zero. */
+    struct Instant
+    {
+      const Vector &temperature;
+      const Vector &temperature_rate;
+      const Vector &displacement;
+      const Vector &velocity;
+    };
+
+    /**
+     * @p heat $-=R_\theta$, @p momentum $-=R_u$. Collective.
+     *
+     * @throw InputError if a coefficient has a value that is not allowed
+     */
+    virtual void
+    subtract(const Instant &instant, Vector &heat, Vector &momentum) const = 0;
+
+    using Operator = ThermoviscoelasticOperator<dim>;
+
+    /**
+     * The equations with all derivatives of $R$, those in $\theta$ and $u$ as
+     * conduction, stiffness and thermal stress, so that they make the tangent
+     * of a stage as the matrices make the stage. The derivative of the stress
+     * in the temperature is left out where there is no thermal stress: the
+     * temperature is then known before the motion.
+     *
+     * @throw InputError as subtract()
+     */
+    virtual std::unique_ptr<const Operator>
+    tangents(const Instant &instant) const = 0;
+
+    /** The equations with the coefficients at this temperature. */
+    virtual std::unique_ptr<const Operator>
+    at(const Vector &temperature) const = 0;
+  };
+
+
+
+  /** A component of the integrand of $R_u$. */
+  inline double
+  added_stress(const Material        &material,
+               const RodCoefficients &beyond,
+               const double           theta,
+               const double           elastic_stress,
+               const double           elastic_stress_of_rate)
+  {
+    return beyond.stiffness * elastic_stress +
+           material.viscosity * beyond.viscosity * elastic_stress_of_rate -
+           material.thermal_stress * beyond.coupling * theta;
+  }
+
+
+
+  /**
+   * @param equations of the body, borrowed like the scene
+   * @return null if no coefficient depends on the temperature
+   */
+  template <int dim>
+  std::unique_ptr<const NonlinearTerms<dim>>
+  make_nonlinear_terms(const Scene                           &scene,
+                       const ThermoviscoelasticOperator<dim> &equations);
+} // namespace ThermoContact
+
+#endif
