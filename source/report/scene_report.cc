@@ -403,12 +403,13 @@ namespace ThermoContact
                                                 "x = 0: insulated",
              exchange.empty() ? heat.exchange->description() :
                                 "k = " + exchange,
-             "theta_obs = " +
-               (heat.obstacle_drive ?
-                  as_written(
-                    "Boundary/right/Surroundings",
-                    scene.parameters.boundary.right.surroundings_expression) :
-                  units.text("temperature", heat.obstacle_temperature)),
+             scene.obstacle_mass ? "" : // it has one of its own
+                                   "theta_obs = " +
+                 (heat.obstacle_drive ?
+                    as_written(
+                      "Boundary/right/Surroundings",
+                      scene.parameters.boundary.right.surroundings_expression) :
+                    units.text("temperature", heat.obstacle_temperature)),
              heat.has_lateral_exchange() ?
                text("m = ",
                     heat.lateral_exchange,
