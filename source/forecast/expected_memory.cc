@@ -134,8 +134,16 @@ namespace ThermoContact
     const double n_responses = scene.contact.law->is_active() ?
                                  parameters.mesh.n_contact_nodes(dim) :
                                  0.;
+    // of coefficients of the temperature: iterations of Newton's method, each
+    // with integrals over all cells
+    const double n_tangents = scene.sources.has_laws ? 3. * n_stages : 0.;
+    const double n_points   = std::pow(parameters.mesh.degree + 1., dim),
+                 n_in_cell  = (dim + 1.) * n_points;
+    const double integrals =
+      6e-9 * n_points * n_in_cell * n_in_cell * parameters.mesh.n_cells(dim);
     return seconds_of_process + 3e-5 * n +
-           n_made * (factors + n_responses * stage) + n_stages * stage;
+           n_made * (factors + n_responses * stage) + n_stages * stage +
+           n_tangents * (factors + integrals);
   }
 
 

@@ -113,6 +113,7 @@ namespace ThermoContact
           variable = "";
       names.checks_values = false; // where the body need not be
       all[name].expression.emplace(path, given.expression, names);
+      all[name].is_of_theta = all[name].expression->depends_on("theta");
     };
     set(section, "Section", body.section);
     set(stiffness, "Stiffness", body.stiffness);
@@ -226,10 +227,13 @@ namespace ThermoContact
 
   template <typename Number>
   std::array<Number, 8>
-  MaterialCoefficients::terms(const Variables<Number> &variables) const
+  MaterialCoefficients::terms(const Variables<Number> &variables,
+                              const Values *const      known) const
   {
-    const auto of = [&](const Name name) {
-      return at<Number>(name, variables);
+    const auto of = [&](const Name name) -> Number {
+      return known != nullptr && !all[name].is_of_theta ?
+               Number((*known)[name]) :
+               at<Number>(name, variables);
     };
     // P-wave modulus over Young's modulus
     const auto p_wave_factor = [](const Number &nu) -> Number {
@@ -262,14 +266,26 @@ namespace ThermoContact
 
 
 
+  MaterialCoefficients::Values
+  MaterialCoefficients::values(const Variables<double> &variables) const
+  {
+    Values result;
+    for (unsigned int name = 0; name < n_names; ++name)
+      result[name] = at<double>(static_cast<Name>(name), variables);
+    return result;
+  }
+
+
+
   RodTangents
-  MaterialCoefficients::tangents(const Variables<double> &variables) const
+  MaterialCoefficients::tangents(const Variables<double> &variables,
+                                 const Values *const      known) const
   {
     Variables<NumberJet> jets;
     for (unsigned int i = 0; i < jets.size(); ++i)
       jets[i] = variable_names[i] == "theta" ? NumberJet(variables[i], 1., 0.) :
                                                NumberJet(variables[i]);
-    const auto terms_of = terms<NumberJet>(jets);
+    const auto terms_of = terms<NumberJet>(jets, known);
     const auto part =
       [&terms_of](double NumberJet::*const of) -> RodCoefficients {
       const auto &c = terms_of;
@@ -319,5 +335,6 @@ namespace ThermoContact
   template double
   MaterialCoefficients::at(const Name, const Variables<double> &) const;
   template std::array<NumberJet, 8>
-  MaterialCoefficients::terms(const Variables<NumberJet> &) const;
+  MaterialCoefficients::terms(const Variables<NumberJet> &,
+                              const Values *) const;
 } // namespace ThermoContact

@@ -38,22 +38,6 @@ namespace ThermoContact
 
   namespace
   {
-    /**
-     * True if the integrals over this cell are those over the one before: in a
-     * body, whose products are many, not in a rod, which joins equal cells.
-     */
-    template <int dim>
-    bool
-    has_last_integrals(const Discretization<dim> &discretization,
-                       const FEValues<dim>       &fe_values)
-    {
-      return dim > 1 && discretization.geometry().has_uniform_weight() &&
-             fe_values.get_cell_similarity() ==
-               dealii::CellSimilarity::translation;
-    }
-
-
-
     /** Weights of products at a point of a cell. */
     struct ProductWeights
     {

@@ -57,8 +57,7 @@ namespace ThermoContact
                                                    full.temperature_rate,
                                                    end.displacement,
                                                    full.velocity};
-    auto tangents = body.nonlinear->tangents(at);
-    body.nonlinear->subtract(at, heat, momentum);
+    auto       tangents    = body.nonlinear->linearize(at, heat, momentum);
     const auto add_product = [&](const double                           sign,
                                  const ThermoviscoelasticOperator<dim> &by) {
       by.product(stage_coefficients(tau),

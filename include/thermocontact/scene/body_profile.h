@@ -61,11 +61,20 @@ namespace ThermoContact
       return all.in_equations({{place[1], place[2], theta, place[0]}});
     }
 
+    /** MaterialCoefficients::values() at theta = 0; throws likewise. */
+    MaterialCoefficients::Values
+    values(const std::array<double, 3> &place) const
+    {
+      return all.values({{place[1], place[2], 0., place[0]}});
+    }
+
     /** MaterialCoefficients::tangents() there; throws likewise. */
     RodTangents
-    tangents(const std::array<double, 3> &place, const double theta) const
+    tangents(const std::array<double, 3>              &place,
+             const double                              theta,
+             const MaterialCoefficients::Values *const known = nullptr) const
     {
-      return all.tangents({{place[1], place[2], theta, place[0]}});
+      return all.tangents({{place[1], place[2], theta, place[0]}}, known);
     }
 
     /** Where the mesh has nodes, along the body and across it. */

@@ -86,6 +86,9 @@ namespace ThermoContact
       n_names
     };
 
+    /** All coefficients at a place, in the order of their names. */
+    using Values = std::array<double, n_names>;
+
     /** Of the variables of an expression. */
     template <typename Number>
     using Variables = std::array<Number, 4>;
@@ -122,18 +125,30 @@ namespace ThermoContact
     Number
     at(const Name name, const Variables<Number> &variables) const;
 
-    /** The members of RodCoefficients in their order; throws likewise. */
+    /**
+     * The members of RodCoefficients in their order; throws likewise.
+     *
+     * @param known of coefficients that do not depend on theta; null: none
+     */
     template <typename Number>
     std::array<Number, 8>
-    terms(const Variables<Number> &variables) const;
+    terms(const Variables<Number> &variables,
+          const Values            *known = nullptr) const;
 
     /** terms() of numbers. */
     RodCoefficients
     in_equations(const Variables<double> &variables) const;
 
-    /** The same with the derivatives in theta of the branch that holds. */
+    /** @throw InputError if a value is not allowed */
+    Values
+    values(const Variables<double> &variables) const;
+
+    /** in_equations() with the derivatives in theta of the branch that holds.
+     *
+     * @param known values() there at any theta; null: none are known */
     RodTangents
-    tangents(const Variables<double> &variables) const;
+    tangents(const Variables<double> &variables,
+             const Values            *known = nullptr) const;
 
     /** The coefficients that depend on the temperature. */
     std::vector<const Expression *>
@@ -152,6 +167,7 @@ namespace ThermoContact
       double                    lower = 0., upper = infinity;
       bool                      may_be_lower = false;
       std::string               allowed      = "positive numbers";
+      bool                      is_of_theta  = false;
     };
 
     std::array<std::string, 4>       variable_names;

@@ -223,6 +223,17 @@ namespace ThermoContact
                 const Point<dim> &place,
                 const double      theta = 0.) const;
 
+    /** The material of a body in several dimensions; null: it has none. */
+    const BodyProfile *
+    material() const
+    {
+      return profile ? &*profile : nullptr;
+    }
+
+    /** x, y and z of a place, right within its cell: jumps are on faces. */
+    std::array<double, 3>
+    inside(const Cell &cell, const Point<dim> &place) const;
+
     /** Lame coefficients there, of unit P-wave modulus. */
     Elasticity
     elasticity(const Cell &cell, const Point<dim> &place) const;
@@ -452,10 +463,6 @@ namespace ThermoContact
 
     IndexSet     of_obstacle; ///< all indices of its cell; empty: there is none
     const double exchange_coefficient_;
-
-    /** x, y and z of a place, right within its cell: jumps are on faces. */
-    std::array<double, 3>
-    inside(const Cell &cell, const Point<dim> &place) const;
 
     void
     make_grid(const SpatialScene &scene);

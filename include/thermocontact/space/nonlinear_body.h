@@ -28,10 +28,9 @@ namespace ThermoContact
              Vector        &momentum) const override;
 
     std::unique_ptr<const Operator>
-    tangents(const Instant &instant) const override
-    {
-      return operator_at(instant, true);
-    }
+    linearize(const Instant &instant,
+              Vector        &heat,
+              Vector        &momentum) const override;
 
     std::unique_ptr<const Operator>
     at(const Vector &temperature) const override;
@@ -46,24 +45,57 @@ namespace ThermoContact
     /** Places of the unknowns of a field among those of a cell. */
     std::array<std::vector<unsigned int>, 2> places;
 
-    /** A point of a cell, and the body there. */
+    /** What is known of a point of a cell. */
+    struct Known
+    {
+      std::array<double, 3>        place;
+      MaterialCoefficients::Values values; ///< at $\theta=0$
+      RodCoefficients              in_equations;
+      Elasticity                   elasticity;
+    };
+
+    /** Of the cells of this rank, of the mass and then of the others. */
+    std::vector<Known> known;
+
+    /** A point, and the body there. */
     struct Point;
 
-    using AtPoint = std::function<void(const Point &)>;
-    using AtCell =
-      std::function<void(const typename FieldMatrices<dim>::Cell &)>;
+    struct Rules;
 
-    /** Calls the functions at all points of each cell of this rank, those of
-     * the mass and all others, and after these for the cell. */
+    using Cell    = typename FieldMatrices<dim>::Cell;
+    using AtPoint = std::function<void(const Point &)>;
+    using AtCell  = std::function<void(const Cell &)>;
+
+    /** Calls @p action with all cells of the body on this rank. */
+    void
+    for_each_cell(const AtCell &action) const;
+
+    /** Calls the functions at all points of each cell, those of the mass and
+     * all others, and after these for the cell. */
     void
     visit(const Instant &instant,
           const AtPoint &at_mass,
           const AtPoint &at_rest,
           const AtCell  &at_cell) const;
 
-    /** @param with_slopes with the derivatives of the coefficients */
+    /** Adds the parts of a cell to the residual of its unknowns. */
+    void
+    add_mass_residual(const Point &at, dealii::Vector<double> &residual) const;
+
+    void
+    add_residual(const Point &at, dealii::Vector<double> &residual) const;
+
+    /** A residual that cells are added to. */
+    class Residual;
+
+    /**
+     * @param with_slopes with the derivatives of the coefficients
+     * @param residual is added to; null: none is wanted
+     */
     std::unique_ptr<const Operator>
-    operator_at(const Instant &instant, const bool with_slopes) const;
+    operator_at(const Instant &instant,
+                const bool     with_slopes,
+                Residual      *residual) const;
   };
 } // namespace ThermoContact
 

@@ -23,8 +23,11 @@ namespace ThermoContact
              Vector        &momentum) const override;
 
     std::unique_ptr<const Operator>
-    tangents(const Instant &instant) const override
+    linearize(const Instant &instant,
+              Vector        &heat,
+              Vector        &momentum) const override
     {
+      subtract(instant, heat, momentum);
       return operator_at(instant, true);
     }
 

@@ -52,16 +52,16 @@ namespace ThermoContact
     using Operator = ThermoviscoelasticOperator<dim>;
 
     /**
-     * The equations with all derivatives of $R$, those in $\theta$ and $u$ as
-     * conduction, stiffness and thermal stress, so that they make the tangent
-     * of a stage as the matrices make the stage. The derivative of the stress
-     * in the temperature is left out where there is no thermal stress: the
-     * temperature is then known before the motion.
+     * subtract(), and the equations with all derivatives of $R$, those in
+     * $\theta$ and $u$ as conduction, stiffness and thermal stress, so that
+     * they make the tangent of a stage as the matrices make the stage. The
+     * derivative of the stress in the temperature is left out where there is no
+     * thermal stress: the temperature is then known before the motion.
      *
      * @throw InputError as subtract()
      */
     virtual std::unique_ptr<const Operator>
-    tangents(const Instant &instant) const = 0;
+    linearize(const Instant &instant, Vector &heat, Vector &momentum) const = 0;
 
     /** The equations with the coefficients at this temperature. */
     virtual std::unique_ptr<const Operator>
