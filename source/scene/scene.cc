@@ -343,15 +343,12 @@ namespace ThermoContact
                       row,
                       parameters.contact.own_rear_law.instead_of(
                         parameters.contact.law));
-      for (unsigned int i = 0; i < row.contacts.size(); ++i)
-        if (row.contacts[i].law)
-          {
-            contact.pair_laws.resize(row.contacts.size());
-            contact.pair_laws[i] =
-              resolve_law(parameters, fields, row, *row.contacts[i].law);
-          }
+      for (const RowContact &pair : row.contacts)
+        contact.pair_laws.push_back(
+          pair.law ? resolve_law(parameters, fields, row, *pair.law) : nullptr);
       contact.gap = resolve_gap(parameters, gap);
-      if (contact.law->is_active() && parameters.contact.rear_gap)
+      if (contact.law->is_active() && parameters.contact.rear_gap &&
+          parameters.boundary.right.meets_obstacle())
         contact.rear_gap = *parameters.contact.rear_gap;
       contact.has_massless_nodes = resolve_massless_nodes(parameters,
                                                           contact,

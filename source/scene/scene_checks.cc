@@ -758,8 +758,6 @@ namespace ThermoContact
         parameters.contact.massless_nodes == "on",
         reason,
         "Contact/Massless nodes = automatic");
-      Refusal{"Contact/Rear gap", text(scene.contact.rear_gap), "none"}.since(
-        scene.contact.is_two_sided(), reason, "Contact/Rear gap = none");
     }
 
 
@@ -822,6 +820,12 @@ namespace ThermoContact
          parameters.contact.gap_expression,
          "a number or an expression in y and z",
          path + "/Velocity: the mass moves by itself");
+      no(scene.contact.is_two_sided(),
+         "Contact/Rear gap",
+         text(scene.contact.rear_gap),
+         "none",
+         "Contact/Rear gap = none: the pressure of a node acts on the mass, "
+         "which one behind the body would not");
       check_entries_beside_bodies(scene, name);
     }
 

@@ -324,9 +324,9 @@ namespace ThermoContact
                    "Boundary/right/Dashpot",
                    "Boundary/right/Mass"},
                   support);
+    unused.add_if(!right.meets_obstacle(), {"Contact/Rear gap"}, support);
     unused.add_if(!right.meets_obstacle() && !parameters.has_row(),
                   {"Contact/Gap",
-                   "Contact/Rear gap",
                    "Contact/Massless nodes",
                    "Time/Locate contact events"},
                   support);

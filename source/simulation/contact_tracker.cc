@@ -122,8 +122,8 @@ namespace ThermoContact
           first = finding;
         if (finding.kind == Finding::nothing)
           continue;
-        changes.of_contacts.resize(locators.size(), Finding::nothing);
-        changes.of_contacts[i] = finding.kind;
+        changes.of_contacts.resize(locators.size());
+        changes.of_contacts[i] = {finding.kind, finding.obstacle};
       }
     return first.kind == Finding::within ? first : changes;
   }
@@ -217,7 +217,10 @@ namespace ThermoContact
       {
         Finding of_this;
         if (!finding.of_contacts.empty())
-          of_this.kind = finding.of_contacts[i];
+          {
+            of_this.kind     = finding.of_contacts[i].kind;
+            of_this.obstacle = finding.of_contacts[i].obstacle;
+          }
         if (of_this.kind == Finding::at_start) // the law has seen it
           locators[i].finish_by_law();
         std::vector<ContactEvent> own_events;

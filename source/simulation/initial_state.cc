@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
@@ -219,9 +220,11 @@ namespace ThermoContact
     void
     check_overlap(const Body<dim> &body, const State &state)
     {
-      const double smallest =
-        *std::min_element(state.gap.begin(), state.gap.end());
-      if (!body.scene.contact.stops_overlap(smallest))
+      double smallest = infinity;
+      for (unsigned int i = 0; i < state.gap.size(); ++i)
+        if (body.scene.contact.stops_overlap(i, state.gap[i]))
+          smallest = std::min(smallest, state.gap[i]);
+      if (smallest == infinity)
         return;
       throw InputError(entry_of_gap(body.scene, true) + "\n  allowed: above " +
                        length_text(body.scene, -smallest) +
@@ -258,13 +261,16 @@ namespace ThermoContact
             std::max_element(penetration.begin(), penetration.end()) -
             penetration.begin();
           const std::string depth = units.text("length", penetration[deepest]);
-          if (penetration[deepest] > 0. && scene.row.is_given())
+          const std::string remedy_of_row =
+            "another Displacement of a body, or Contact/Condition = normal "
+            "compliance";
+          if (penetration[deepest] > 0. && scene.row.is_given() &&
+              obstacle == &values.front)
             throw InputError(
               "Contacts: " + scene.row.contact_names()[deepest] +
               " overlap by " + depth +
-              " at the start, and are rigid\n  remedy:  a larger gap there, "
-              "another Displacement of a body, or Contact/Condition = normal "
-              "compliance");
+              " at the start, and are rigid\n  remedy:  a larger gap there, " +
+              remedy_of_row);
           if (penetration[deepest] > 0.)
             throw InputError(
               entry + "initial displacement " +
@@ -273,9 +279,11 @@ namespace ThermoContact
                  "" :
                  ", where the gap is " +
                    units.text("length", state.gap[deepest]) + ',') +
-              " penetrates the rigid obstacle\n  remedy:  a larger gap, another "
-              "Initial values/Displacement, or Contact/Condition = normal "
-              "compliance");
+              " penetrates the rigid obstacle\n  remedy:  a larger gap, " +
+              (scene.row.is_given() ?
+                 remedy_of_row :
+                 "another Initial values/Displacement, or Contact/Condition = "
+                 "normal compliance"));
           for (unsigned int i = 0; i < penetration.size(); ++i)
             if (const double way = prescribed_time * obstacle->velocity[i];
                 penetration[i] + way >
@@ -317,11 +325,11 @@ namespace ThermoContact
         {
           for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
             if (state.contact_pressure[i] != 0.)
-              warnings.push_back(
-                text("Contacts: ",
-                     body.scene.row.contact_names()[i],
-                     " press on each other at the start with ",
-                     units.text("stress", state.contact_pressure[i])));
+              warnings.push_back(text(
+                "Contacts: ",
+                body.scene.row.contact_names()[i],
+                " press on each other at the start with ",
+                units.text("stress", std::abs(state.contact_pressure[i]))));
           return;
         }
       warnings.push_back(text(

@@ -122,6 +122,7 @@ SCENES = [
     ("Contact/Condition = rigid", "Contacts/b a/Compliance; Contacts/b a/Damping; Contacts/b a/Dashpot",
      TWO + ("Contact/Condition=rigid",), TWO),
     ("Contact/Condition = normal compliance", "Contacts/b a/Exponent", TWO, TWO + ("Contact/Condition=power law",)),
+    ("Boundary/right/Support = free", "Contact/Rear gap", TWO + ("Boundary/right/Support=free",), TWO),
     ("each of Contacts = a number of its own", "Contact/Compliance",
      TWO + ("Boundary/right/Support=free", "Contacts/b a/Compliance=0.5"), TWO + ("Contacts/b a/Compliance=0.5",),
      TWO + ("Boundary/right/Support=free",)),

@@ -33,7 +33,11 @@ SCENES = [
     ("Time/Scheme", TWO + FIXED, "Time/Scheme=energy conserving", "Time/Scheme=backward euler"),
     ("Time/Start", TWO + FIXED + ("Time/Scheme=backward euler",), "Time/Start=paper", "Time/Start=consistent"),
     ("Contact/Massless nodes", TWO + SDIRK, "Contact/Massless nodes=on", "Contact/Massless nodes=off"),
-    ("Contact/Rear gap", TWO, "Contact/Rear gap=0.1", "Contact/Rear gap=none"),
+    # two stops at the right end
+    ("Contact/Rear gap", TWO, "Contact/Rear gap=-0.1", "Contact/Rear gap=0"),
+    ("Contact/Rear gap", TWO + RIGID + ("Contact/Rear gap=0.1", "Contacts/a b/Gap=1"), "Bodies/b/Displacement=-0.2",
+     "Bodies/b/Displacement=-0.1"),
+    ("Contacts", TWO + RIGID + ("Contact/Rear gap=0.1",), "Bodies/b/Displacement=0.2", "Bodies/b/Displacement=0.1"),
     ("Contact/Gap", TWO + ALONE + ("Contacts/a b/Gap=0.1",), "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1",
      ("Contact/Gap=0.1+0.01*t", "Boundary/right/Support=contact")),
     ("Contacts/a b/Gap", TWO, "Contact/Gap=0.1+0.01*t", ("Contact/Gap=0.1+0.01*t", "Contacts/a b/Gap=0.1")),

@@ -251,8 +251,8 @@ namespace ThermoContact
     /** Of the obstacle behind the end, of the same kind; none: as in front. */
     std::unique_ptr<const ContactLaw> rear_law;
 
-    /** Of the contacts of a row that have laws of their own, of the same kind;
-     * none: as the obstacle. Empty: none has. */
+    /** Of the contacts of bodies of a row, the first nodes, that have laws of
+     * their own, of the same kind; none: as the obstacle in front. */
     std::vector<std::unique_ptr<const ContactLaw>> pair_laws;
 
     /**
@@ -261,8 +261,8 @@ namespace ThermoContact
      */
     double gap;
 
-    /** $g_2$ of an obstacle behind the end, (M4.3); infinite: there is none.
-     */
+    /** $g_2$ of an obstacle behind the end, of a row its right end, (M4.3);
+     * infinite: there is none. */
     double rear_gap = infinity;
 
     /** Of the contact nodes; meaningless without obstacle. */
@@ -289,8 +289,9 @@ namespace ThermoContact
     const ContactLaw &
     law_at(const unsigned int node, const int side = 1) const
     {
-      return node < pair_laws.size() && pair_laws[node] ? *pair_laws[node] :
-                                                          law_of(side);
+      if (node < pair_laws.size())
+        return pair_laws[node] ? *pair_laws[node] : *law;
+      return law_of(side);
     }
 
     /** The law that gives a contact node this pressure. */
@@ -361,11 +362,19 @@ namespace ThermoContact
       return std::isfinite(rear_gap);
     }
 
-    /** True if an obstacle in front at this gap reaches the one behind. */
-    bool
-    stops_overlap(const double gap_in_front) const
+    /** $g_2$ of a contact node; infinite where bodies meet. */
+    double
+    rear_gap_at(const unsigned int node) const
     {
-      return !(gap_in_front + rear_gap > 0.);
+      return node < pair_laws.size() ? infinity : rear_gap;
+    }
+
+    /** True if an obstacle in front of a node at this gap reaches the one
+     * behind. */
+    bool
+    stops_overlap(const unsigned int node, const double gap_in_front) const
+    {
+      return !(gap_in_front + rear_gap_at(node) > 0.);
     }
 
     bool
