@@ -242,7 +242,7 @@ namespace ThermoContact
                       const State     &state)
     {
       const Scene &scene = body.scene;
-      if (!scene.contact.law->is_rigid() || scene.material.is_static())
+      if (!scene.contact.has_rigid() || scene.material.is_static())
         return; // a static body is in equilibrium with the obstacle
       const QuantityUnits units(scene.parameters);
       const double        prescribed_time =
@@ -254,8 +254,11 @@ namespace ThermoContact
       const std::vector<double> &displacement = values.displacement;
       for (const auto *obstacle : {&values.front, &values.rear})
         {
-          const std::vector<double> &penetration = obstacle->penetration;
-          const std::string          entry =
+          std::vector<double> penetration = obstacle->penetration;
+          for (unsigned int i = 0; i < penetration.size(); ++i)
+            if (!scene.contact.law_at(i).is_rigid())
+              penetration[i] = -infinity;
+          const std::string entry =
             entry_of_gap(scene, obstacle == &values.rear) + ": the ";
           const unsigned int deepest =
             std::max_element(penetration.begin(), penetration.end()) -

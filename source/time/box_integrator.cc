@@ -596,14 +596,15 @@ namespace ThermoContact
     path.free_velocity = end.free_velocity = values.velocity;
     path.response                          = by_pressure.velocity;
     end.contact.velocity                   = values.velocity;
-    if (body.law().is_rigid() && contacts[c].is_of_masses())
+    const bool is_rigid = body.scene.contact.law_at(c).is_rigid();
+    if (is_rigid && contacts[c].is_of_masses())
       follow_masses(c, state, path, end);
     else if (body.law().is_active())
       end.contact = solve_step_contact(body.scene.contact.law_at(c),
                                        body.scene.contact.law_at(c, -1),
                                        path);
     end.releases = releases;
-    if (auto &now = end.releases.now; now && body.law().is_rigid())
+    if (auto &now = end.releases.now; now && is_rigid)
       {
         const double pressure =
           now->side * now->part * now->before / path.response;
@@ -823,8 +824,10 @@ namespace ThermoContact
       {
         const EndContact &end         = ends[c];
         new_state.contact_pressure[c] = end.end_pressure;
-        if (body.scene.contact.law_under(end.end_pressure, c).is_damped() ||
-            (end.end_pressure == 0. && body.scene.contact.is_damped()))
+        if (const ContactLaw &law =
+              body.scene.contact.law_under(end.end_pressure, c);
+            law.is_damped() || (end.end_pressure == 0. && !law.is_rigid() &&
+                                body.scene.contact.is_damped()))
           continue;
         // on the obstacle to the last digit, and never behind it
         const double u    = contacts[c].sum([&](const ContactSide &side) {

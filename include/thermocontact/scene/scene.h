@@ -246,13 +246,15 @@ namespace ThermoContact
   /** The contact end and the obstacle. */
   struct SceneContact
   {
-    std::unique_ptr<const ContactLaw> law; ///< in front
+    /** In front, of section Contact; in a row none of whose contacts has that
+     * one, the law of the first. */
+    std::unique_ptr<const ContactLaw> law;
 
     /** Of the obstacle behind the end, of the same kind; none: as in front. */
     std::unique_ptr<const ContactLaw> rear_law;
 
     /** Of the contacts of bodies of a row, the first nodes, that have laws of
-     * their own, of the same kind; none: as the obstacle in front. */
+     * their own; none: as in front. */
     std::vector<std::unique_ptr<const ContactLaw>> pair_laws;
 
     /**
@@ -310,6 +312,21 @@ namespace ThermoContact
              std::any_of(pair_laws.begin(),
                          pair_laws.end(),
                          [&](const auto &one) { return one && has(*one); });
+    }
+
+    /** Nothing penetrates at one of the contacts. */
+    bool
+    has_rigid() const
+    {
+      return any([](const ContactLaw &one) { return one.is_rigid(); });
+    }
+
+    /** Others give way beside it. */
+    bool
+    has_rigid_beside_elastic() const
+    {
+      return has_rigid() &&
+             any([](const ContactLaw &one) { return !one.is_rigid(); });
     }
 
     /** A pressure depends on the velocity. */
@@ -394,14 +411,14 @@ namespace ThermoContact
     bool
     stops_nodes() const
     {
-      return law->is_rigid() && !is_in_equilibrium();
+      return has_rigid() && !is_in_equilibrium();
     }
 
     /** That takes an impulse. */
     bool
     has_impacts() const
     {
-      return law->is_rigid() && has_mass();
+      return has_rigid() && has_mass();
     }
   };
 
@@ -574,6 +591,19 @@ namespace ThermoContact
     has_bodies() const
     {
       return row.is_given() || profile;
+    }
+
+    /** A contact has a law of this kind. */
+    bool
+    has_law_of(const ContactLawKind &kind) const
+    {
+      return (parameters.uses_general_law() &&
+              parameters.contact.condition == kind.name) ||
+             std::any_of(row.contacts.begin(),
+                         row.contacts.end(),
+                         [&](const RowContact &contact) {
+                           return contact.law && contact.law->kind == kind.name;
+                         });
     }
 
     /** Of both fields, held ones among them. */
