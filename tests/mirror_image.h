@@ -18,13 +18,14 @@ namespace ThermoContact
    * The scene with the solution -u, doc/model.md (M4.3): the coupling and
    * mechanical data have the other sign, an obstacle in front is one behind.
    * Of a single obstacle the other one is out of reach. None where nothing
-   * moves, or where the obstacle moves or has a shape, as none behind does.
+   * moves, where the obstacle moves or has a shape, as none behind does, and of
+   * several bodies.
    */
   inline std::optional<Parameters>
   mirror_image(Parameters scene)
   {
     constexpr double out_of_reach = 100.;
-    if (scene.model.fields == "temperature")
+    if (scene.model.fields == "temperature" || scene.row.bodies.size() > 1)
       return {};
     if (ContactParameters &contact = scene.contact; contact.condition != "none")
       {
@@ -38,12 +39,18 @@ namespace ThermoContact
           contact.own_rear_law.numbers[name] = value;
       }
     scene.model.coupling *= -1.;
-    for (std::string *const value : {&scene.initial_values.displacement,
-                                     &scene.initial_values.velocity,
-                                     &scene.sources.body_force,
-                                     &scene.boundary.left.displacement,
-                                     &scene.boundary.left.traction,
-                                     &scene.boundary.right.traction})
+    std::vector<std::string *> values = {&scene.initial_values.displacement,
+                                         &scene.initial_values.velocity,
+                                         &scene.sources.body_force,
+                                         &scene.boundary.left.displacement,
+                                         &scene.boundary.left.traction,
+                                         &scene.boundary.right.traction};
+    for (BodyParameters &body : scene.row.bodies)
+      {
+        values.push_back(&body.displacement);
+        values.push_back(&body.velocity);
+      }
+    for (std::string *const value : values)
       if (*value != "0")
         *value = "-(" + *value + ')';
     return scene;

@@ -119,9 +119,13 @@ namespace ThermoContact
     const std::string section =
       pairs_section + "/" + (name.empty() ? any_pair : name);
     SectionOfEntries entry(prm, section);
-    entry("Condition", condition, Selection("contact|bonded"))
-      .means("Two neighbours of the row: contact, by the law of section "
-             "Contact, or bonded, layers of one rod.");
+    std::string      conditions = "contact|bonded";
+    for (const ContactLawKind &law : contact_laws())
+      if (law.name != no_obstacle().name)
+        conditions += '|' + law.name;
+    entry("Condition", condition, Selection(conditions))
+      .means("Two neighbours: contact as Contact/Condition, bonded layers of "
+             "one rod, or a law of this contact.");
     entry("Gap", gap, NumberOrText::word_or_number("none"))
       .means("Gap between them; negative is a preload; none: Contact/Gap.",
              "length");
@@ -131,6 +135,36 @@ namespace ThermoContact
              "heat exchange");
     own_law.section = section;
     own_law.add_entries(entry, "of this contact");
+  }
+
+
+
+  const PairParameters *
+  RowParameters::find_pair(const std::string &left,
+                           const std::string &right) const
+  {
+    const auto found =
+      std::find_if(pairs.begin(), pairs.end(), [&](const auto &pair) {
+        return pair.name == left + ' ' + right;
+      });
+    return found == pairs.end() ? nullptr : &*found;
+  }
+
+
+
+  bool
+  RowParameters::have_own_kinds() const
+  {
+    bool has_any = false;
+    for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
+      {
+        const PairParameters *const pair =
+          find_pair(bodies[i].name, bodies[i + 1].name);
+        if (pair == nullptr || !(pair->is_bonded() || pair->has_own_kind()))
+          return false;
+        has_any = has_any || pair->has_own_kind();
+      }
+    return has_any;
   }
 
 

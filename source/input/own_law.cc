@@ -39,6 +39,15 @@ namespace ThermoContact
 
 
 
+  bool
+  OwnLaw::has_number(const std::string &name) const
+  {
+    const auto entry = numbers.find(name);
+    return entry != numbers.end() && entry->second.has_value();
+  }
+
+
+
   ContactLawParameters
   OwnLaw::instead_of(const ContactLawParameters &general) const
   {

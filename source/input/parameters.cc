@@ -178,15 +178,16 @@ namespace ThermoContact
 
 
 
-  std::vector<const OwnLaw *>
+  std::vector<Parameters::OwnLawOfKind>
   Parameters::own_laws() const
   {
-    std::vector<const OwnLaw *> laws;
+    const ContactLawKind     &general = contact_law(contact.condition);
+    std::vector<OwnLawOfKind> laws;
     if (contact.has_own_rear_law())
-      laws.push_back(&contact.own_rear_law);
+      laws.push_back({&contact.own_rear_law, &general});
     for (const PairParameters &pair : row.pairs)
-      if (!pair.is_bonded() && pair.own_law.is_given())
-        laws.push_back(&pair.own_law);
+      if (pair.has_own_law())
+        laws.push_back({&pair.own_law, &pair.law_kind(general)});
     return laws;
   }
 
@@ -195,11 +196,11 @@ namespace ThermoContact
   std::vector<std::unique_ptr<const ContactLaw>>
   Parameters::make_contact_laws() const
   {
-    const ContactLawKind &kind = contact_law(contact.condition);
     std::vector<std::unique_ptr<const ContactLaw>> laws;
-    laws.push_back(kind.make(contact.law));
-    for (const OwnLaw *const own : own_laws())
-      laws.push_back(kind.make(own->instead_of(contact.law)));
+    if (uses_general_law())
+      laws.push_back(contact_law(contact.condition).make(contact.law));
+    for (const auto &[own, kind] : own_laws())
+      laws.push_back(kind->make(own->instead_of(contact.law)));
     return laws;
   }
 

@@ -295,25 +295,10 @@ namespace ThermoContact
                            compliance +
                            " is given, too\n  remedy:  one of them");
       }
-    for (const Assignment &assignment : assignments)
-      {
-        const std::string &path      = assignment.path;
-        const std::string  stiffness = path_in_same_law(path, "Stiffness");
-        if (law.uses("Exponent") && path != "Contact/Exponent" &&
-            path == path_in_same_law(path, "Exponent") &&
-            has_law_at(stiffness) && parse_number(*given(path)) &&
-            law_exponent(path) != law_exponent("Contact/Exponent") &&
-            given(stiffness).value_or("none") == "none" &&
-            !parse_number(
-              given(path_in_same_law(path, "Compliance")).value_or("")))
-          refuse(assignment,
-                 "the number of section Contact goes with another exponent",
-                 "that exponent",
-                 stiffness + " = a number");
-      }
+    check_exponents();
     for (const ContactLawEntry &entry : law.entries)
       if (has_displacement && entry.is_positive &&
-          !given("Contact/" + entry.name))
+          takes_from_section(entry.name) && !given("Contact/" + entry.name))
         need(true,
              entry.name == "Compliance" ? "Contact/Stiffness" :
                                           "Contact/" + entry.name);
@@ -534,13 +519,85 @@ namespace ThermoContact
 
 
 
+  const ContactLawKind &
+  SiScene::law_at(const std::string &path) const
+  {
+    if (begins_with(path, "Contacts/"))
+      if (const auto own = given(path_in_same_law(path, "Condition")))
+        for (const ContactLawKind &kind : contact_laws())
+          if (kind.name == *own)
+            return kind;
+    return law;
+  }
+
+
+
+  bool
+  SiScene::takes_from_section(const std::string &entry) const
+  {
+    if (meets_obstacle(assignments) || dim > 1.)
+      return true;
+    std::vector<std::string> bodies;
+    for (const Assignment &assignment : assignments)
+      if (begins_with(assignment.path, "Bodies/") && !assignment.is_section())
+        {
+          const std::string name = name_of(section_of(assignment.path));
+          if (std::find(bodies.begin(), bodies.end(), name) == bodies.end())
+            bodies.push_back(name);
+        }
+    for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
+      {
+        const std::string section =
+          "Contacts/" + bodies[i] + ' ' + bodies[i + 1] + '/';
+        const auto has_own = [&](const std::string &name) {
+          return given(section + name).value_or("none") != "none";
+        };
+        if (has_law_at(section + entry) &&
+            law_at(section + entry).uses(entry) && !has_own(entry) &&
+            !(entry == "Compliance" && has_own("Stiffness")))
+          return true;
+      }
+    return false;
+  }
+
+
+
+  void
+  SiScene::check_exponents() const
+  {
+    for (const Assignment &assignment : assignments)
+      {
+        const std::string &path      = assignment.path;
+        const std::string  stiffness = path_in_same_law(path, "Stiffness");
+        const bool         is_kind   = begins_with(path, "Contacts/") &&
+                             path == path_in_same_law(path, "Condition");
+        const bool is_exponent = path != "Contact/Exponent" &&
+                                 path == path_in_same_law(path, "Exponent") &&
+                                 parse_number(*given(path));
+        const bool is_of_same =
+          law.uses("Compliance") &&
+          law_exponent(path) == law_exponent("Contact/Exponent");
+        if ((is_kind || is_exponent) && has_law_at(stiffness) &&
+            law_at(path).uses("Compliance") && !is_of_same &&
+            given(stiffness).value_or("none") == "none" &&
+            !parse_number(
+              given(path_in_same_law(path, "Compliance")).value_or("")))
+          refuse(assignment,
+                 "the number of section Contact goes with another exponent",
+                 "that exponent",
+                 stiffness + " = a number");
+      }
+  }
+
+
+
   double
   SiScene::law_exponent(const std::string &path) const
   {
     const std::string own = path_in_same_law(path, "Exponent");
     const std::string exponent =
       parse_number(given(own).value_or("")) ? own : "Contact/Exponent";
-    if (!law.uses("Exponent"))
+    if (!law_at(path).uses("Exponent"))
       return 1.;
     return parse_number(
              given(exponent).value_or(entry_of_program(exponent).default_value))
@@ -612,9 +669,9 @@ namespace ThermoContact
                    (is_confined ? (1. + nu) / (1. - nu) : 1.));
     if (has_temperature && !has_row && !given("Initial values/Temperature"))
       set("Initial values/Temperature", "0");
-    if (has_displacement && law.uses("Compliance"))
+    if (has_displacement)
       for (const std::string &stiffness : given_stiffnesses())
-        if (has_law_at(stiffness))
+        if (has_law_at(stiffness) && law_at(stiffness).uses("Compliance"))
           set_number(path_in_same_law(stiffness, "Compliance"),
                      std::pow(*scales.stress * *scales.area / number(stiffness),
                               1. / law_exponent(stiffness)) /

@@ -446,20 +446,21 @@ namespace ThermoContact
                             contact.pair_laws[i]->description());
         log.line(
           "  contact   " +
-          join_words({scene.row.is_given() && !contact.law->is_active() ?
-                        "none: bodies do not meet" :
-                        contact.law->description(),
-                      contact.law->is_active() ? "g = " + gap : "",
-                      contact.law->is_active() && contact.is_two_sided() ?
-                        "g_2 = " + units.text("length", contact.rear_gap) :
-                        "",
-                      contact.rear_law ?
-                        "behind " + contact.rear_law->description() :
-                        "",
-                      join_words(pairs),
-                      contact.law->is_active() && contact.has_massless_nodes ?
-                        "massless contact nodes" :
-                        ""}));
+          join_words(
+            {scene.row.is_given() && !contact.law->is_active() ?
+               "none: bodies do not meet" :
+             scene.parameters.uses_general_law() ? contact.law->description() :
+                                                   "",
+             contact.law->is_active() ? "g = " + gap : "",
+             contact.law->is_active() && contact.is_two_sided() ?
+               "g_2 = " + units.text("length", contact.rear_gap) :
+               "",
+             contact.rear_law ? "behind " + contact.rear_law->description() :
+                                "",
+             join_words(pairs),
+             contact.law->is_active() && contact.has_massless_nodes ?
+               "massless contact nodes" :
+               ""}));
       }
     if (!scene.scheme_choice.reason.empty())
       log.line("  scheme    " + scene.scheme.name + ", since " +

@@ -208,15 +208,6 @@ namespace ThermoContact
 
 
 
-    const PairParameters *
-    find_pair(const RowParameters &row, const std::string &name)
-    {
-      const auto found =
-        std::find_if(row.pairs.begin(),
-                     row.pairs.end(),
-                     [&name](const auto &pair) { return pair.name == name; });
-      return found == row.pairs.end() ? nullptr : &*found;
-    }
   } // namespace
 
 
@@ -259,17 +250,14 @@ namespace ThermoContact
     for (const BodyParameters &body : bodies)
       fastest =
         std::max(fastest, std::abs(parse_number(body.velocity).value_or(0.)));
-    const auto add = [&](const std::string          &name,
-                         const BodyParameters       &one,
-                         const BodyParameters *const other) {
+    const auto add = [&](const std::string                       &name,
+                         const BodyParameters                    &one,
+                         const BodyParameters *const              other,
+                         const std::unique_ptr<const ContactLaw> &law) {
       const bool has_rod =
         !one.is_mass() || (other != nullptr && !other->is_mass());
       if (!one.is_mass() && (other == nullptr || !other->is_mass()))
         return;
-      const PairParameters *const pair = find_pair(parameters.row, name);
-      const auto                  law  = kind.make(
-        pair != nullptr ? pair->own_law.instead_of(parameters.contact.law) :
-                          parameters.contact.law);
       const double mass =
         has_rod          ? (one.is_mass() ? one.mass : other->mass) :
         other == nullptr ? one.mass :
@@ -293,10 +281,28 @@ namespace ThermoContact
                                                end.inertia * end.stiffness)});
         }
     };
+    const ContactParameters &general = parameters.contact;
     for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
-      add(bodies[i].name + " " + bodies[i + 1].name, bodies[i], &bodies[i + 1]);
-    if (parameters.has_row() && parameters.boundary.right.meets_obstacle())
-      add(bodies.back().name + " obstacle", bodies.back(), nullptr);
+      {
+        const BodyParameters       &left = bodies[i], &right = bodies[i + 1];
+        const PairParameters *const pair =
+          parameters.row.find_pair(left.name, right.name);
+        add(left.name + ' ' + right.name,
+            left,
+            &right,
+            pair != nullptr ?
+              pair->law_kind(kind).make(pair->own_law.instead_of(general.law)) :
+              kind.make(general.law));
+      }
+    if (!parameters.has_row() || !parameters.boundary.right.meets_obstacle())
+      return contacts;
+    const BodyParameters &last = bodies.back();
+    add(last.name + " obstacle", last, nullptr, kind.make(general.law));
+    if (general.has_own_rear_law())
+      add(last.name + " rear obstacle",
+          last,
+          nullptr,
+          kind.make(general.own_rear_law.instead_of(general.law)));
     return contacts;
   }
 
@@ -443,7 +449,8 @@ namespace ThermoContact
             const BodyParameters &left = given.bodies[i - 1];
             const std::string     name = left.name + " " + body.name;
             known.push_back(name);
-            const PairParameters *const pair = find_pair(given, name);
+            const PairParameters *const pair =
+              given.find_pair(left.name, body.name);
             const bool bonded = pair != nullptr && pair->is_bonded();
             if (bonded && (left.is_mass() || body.is_mass()))
               throw InputError(
@@ -470,9 +477,11 @@ namespace ThermoContact
                    gap,
                    pair != nullptr ? pair->heat_exchange : std::nullopt,
                    std::nullopt});
-                if (pair != nullptr && pair->own_law.is_given())
-                  row.contacts.back().law =
-                    pair->own_law.instead_of(parameters.contact.law);
+                if (pair != nullptr && pair->has_own_law())
+                  row.contacts.back().law = {
+                    pair->law_kind(contact_law(parameters.contact.condition))
+                      .name,
+                    pair->own_law.instead_of(parameters.contact.law)};
                 add_gap(gap);
               }
           }

@@ -324,20 +324,31 @@ namespace ThermoContact
 
 
 
-    /** Of these numbers; none where nothing can meet. */
+    /** Of this kind and these numbers; none where nothing can meet. */
     std::unique_ptr<const ContactLaw>
-    resolve_law(const Parameters           &parameters,
-                const SceneFields          &fields,
-                const BodyRow              &row,
-                const ContactLawParameters &numbers)
+    resolve_law(const Parameters  &parameters,
+                const SceneFields &fields,
+                const BodyRow     &row,
+                const RowLaw      &law)
     {
       const bool can_meet =
         fields.has_displacement &&
         (row.is_given() ? row.n_contacts() > 0 :
                           parameters.boundary.right.meets_obstacle());
-      return (can_meet ? contact_law(parameters.contact.condition) :
-                         no_obstacle())
-        .make(numbers);
+      return (can_meet ? contact_law(law.kind) : no_obstacle())
+        .make(law.numbers);
+    }
+
+
+
+    /** The law of section Contact; the first one of a row that has it nowhere.
+     */
+    RowLaw
+    general_law(const Parameters &parameters, const BodyRow &row)
+    {
+      if (!parameters.uses_general_law() && !row.contacts.empty())
+        return *row.contacts.front().law;
+      return {parameters.contact.condition, parameters.contact.law};
     }
 
 
@@ -353,24 +364,21 @@ namespace ThermoContact
                     const bool              has_prescribed_start)
     {
       SceneContact contact;
-      contact.law =
-        resolve_law(parameters, fields, row, parameters.contact.law);
+      const RowLaw general = general_law(parameters, row);
+      contact.law          = resolve_law(parameters, fields, row, general);
       if (contact.law->is_active() && parameters.contact.has_own_rear_law())
-        contact.rear_law =
-          resolve_law(parameters,
-                      fields,
-                      row,
-                      parameters.contact.own_rear_law.instead_of(
-                        parameters.contact.law));
-      for (unsigned int i = 0; i < row.contacts.size(); ++i)
-        if (row.contacts[i].law)
-          {
-            contact.pair_laws.resize(row.contacts.size());
-            contact.pair_laws[i] =
-              resolve_law(parameters, fields, row, *row.contacts[i].law);
-          }
+        contact.rear_law = resolve_law(
+          parameters,
+          fields,
+          row,
+          {general.kind,
+           parameters.contact.own_rear_law.instead_of(general.numbers)});
+      for (const RowContact &pair : row.contacts)
+        contact.pair_laws.push_back(
+          pair.law ? resolve_law(parameters, fields, row, *pair.law) : nullptr);
       contact.gap = resolve_gap(parameters, gap);
-      if (contact.law->is_active() && parameters.contact.rear_gap)
+      if (contact.law->is_active() && parameters.contact.rear_gap &&
+          parameters.boundary.right.meets_obstacle())
         contact.rear_gap = *parameters.contact.rear_gap;
       contact.has_massless_nodes = resolve_massless_nodes(
         parameters, contact, scheme, has_laws, has_prescribed_start);
@@ -495,7 +503,7 @@ namespace ThermoContact
         row.depends_on_temperature() ||
           (profile && profile->depends_on_temperature()),
         fixed_end_motion != nullptr,
-        resolve_law(parameters, fields, row, parameters.contact.law)
+        resolve_law(parameters, fields, row, general_law(parameters, row))
           ->is_active()))
     , scheme(ThermoContact::scheme(parameters.time.scheme))
     , has_prescribed_start(
@@ -579,10 +587,11 @@ namespace ThermoContact
     add_if(has_displacement && material.has_viscosity(), "viscosity");
     add_if(material.has_thermal_stress(), "thermal stress");
     add_if(material.has_heating(), "thermoelastic heating");
-    const ContactLaw &law = *scene.contact.law;
-    add_if(law.is_active(),
-           law.is_rigid() ? "rigid contact" :
-                            scene.parameters.contact.condition);
+    for (const ContactLawKind &kind : contact_laws())
+      add_if(scene.contact.law->is_active() && scene.has_law_of(kind),
+             kind.make(scene.parameters.contact.law)->is_rigid() ?
+               "rigid contact" :
+               kind.name);
     add_if(scene.contact.is_damped(), "damped contact");
     add_if(scene.contact.is_two_sided(), "two stops");
     add_if(scene.contact.has_massless_nodes, "massless contact nodes");

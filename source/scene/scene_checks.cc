@@ -119,25 +119,25 @@ namespace ThermoContact
     {
       const Parameters     &parameters = scene.parameters;
       const ContactLawKind &law = contact_law(parameters.contact.condition);
-      for (const ContactLawEntry &entry : law.entries)
-        {
-          const auto refuse_zero = [&](const std::string &path,
-                                       const double       value) {
-            if (entry.is_positive && !(value > 0.))
-              refuse(path,
-                     value,
-                     "a positive number",
-                     "for a rigid obstacle set Contact/Condition = rigid");
-          };
-          refuse_zero("Contact/" + entry.name,
+      const auto            refuse_zero = [&](const ContactLawEntry &entry,
+                                   const std::string     &path,
+                                   const double           value) {
+        if (entry.is_positive && !(value > 0.))
+          refuse(path,
+                 value,
+                 "a positive number",
+                 "for a rigid obstacle set Contact/Condition = rigid");
+      };
+      if (parameters.uses_general_law())
+        for (const ContactLawEntry &entry : law.entries)
+          refuse_zero(entry,
+                      "Contact/" + entry.name,
                       parameters.contact.law.at(entry.name));
-          for (const OwnLaw *const own : parameters.own_laws())
-            {
-              refuse_zero(
-                own->path(entry.name),
-                own->instead_of(parameters.contact.law).at(entry.name));
-            }
-        }
+      for (const auto &[own, kind] : parameters.own_laws())
+        for (const ContactLawEntry &entry : kind->entries)
+          refuse_zero(entry,
+                      own->path(entry.name),
+                      own->instead_of(parameters.contact.law).at(entry.name));
       const double gap = scene.contact.gap, rear_gap = scene.contact.rear_gap;
       if (gap + rear_gap <= 0.)
         refuse("Contact/Rear gap",
@@ -148,12 +148,12 @@ namespace ThermoContact
                     "Contact/Damping",
                     "Contact/Dashpot",
                     *scene.contact.law);
-      for (const OwnLaw *const own : parameters.own_laws())
+      for (const auto &[own, kind] : parameters.own_laws())
         {
           check_damping(scene,
                         own->path("Damping"),
                         own->path("Dashpot"),
-                        *law.make(own->instead_of(parameters.contact.law)));
+                        *kind->make(own->instead_of(parameters.contact.law)));
           for (const auto &[name, value] : own->numbers)
             {
               const Refusal     number{own->path(name),
@@ -657,16 +657,28 @@ namespace ThermoContact
                *e,
                "none, or from 0 to 1",
                "1 for a contact without loss");
-      const std::size_t n     = bodies.size();
-      const auto        is_of = [&](const std::size_t i) {
+      const std::size_t n        = bodies.size();
+      const auto        is_rigid = [&](const std::size_t i) {
+        const std::vector<RowContact> &contacts = scene.row.contacts;
+        const auto                     number =
+          std::find_if(contacts.begin(), contacts.end(), [&](const auto &one) {
+            return i + 1 < n &&
+                   one.name == bodies[i].name + ' ' + bodies[i + 1].name;
+          });
+        return scene.contact.has_impacts() &&
+               scene.contact.law_at(number - contacts.begin()).is_rigid();
+      };
+      const auto is_of = [&](const std::size_t i) {
         return bodies[i].is_mass() &&
-               (i + 1 < n ? bodies[i + 1].is_mass() : scene.row.meets_obstacle);
+               (i + 1 < n ? bodies[i + 1].is_mass() :
+                            scene.row.meets_obstacle) &&
+               is_rigid(i);
       };
       bool has_any = false;
       for (std::size_t i = 0; i < n; ++i)
         {
           has_any = has_any || is_of(i);
-          if (scene.contact.has_impacts() && i > 0 && is_of(i - 1) && is_of(i))
+          if (i > 0 && is_of(i - 1) && is_of(i))
             refuse("Bodies/" + bodies[i].name + "/Kind",
                    "mass",
                    "a rod, since rigid contacts of masses are on both sides of "
@@ -677,11 +689,11 @@ namespace ThermoContact
       const Refusal restitution{"Contact/Restitution",
                                 e ? text(*e) : "none",
                                 e ? "none" : "a number from 0 to 1"};
-      restitution.since(scene.contact.has_impacts() && has_any && !e,
+      restitution.since(has_any && !e,
                         "rigid masses meet",
                         "Contact/Restitution = 1: without loss; 0 is without "
                         "rebound");
-      restitution.since(e && !(scene.contact.has_impacts() && has_any),
+      restitution.since(e && !has_any,
                         "no rigid masses meet at a rigid contact",
                         "Contact/Restitution = none: what rods do follows from "
                         "their waves; Contact/Damping of an elastic obstacle "
@@ -736,8 +748,6 @@ namespace ThermoContact
         parameters.contact.massless_nodes == "on",
         reason,
         "Contact/Massless nodes = automatic");
-      Refusal{"Contact/Rear gap", text(scene.contact.rear_gap), "none"}.since(
-        scene.contact.is_two_sided(), reason, "Contact/Rear gap = none");
     }
 
 
@@ -828,6 +838,12 @@ namespace ThermoContact
          parameters.contact.gap_expression,
          "a number or an expression in y and z",
          path + "/Velocity: the mass moves by itself");
+      no(scene.contact.is_two_sided(),
+         "Contact/Rear gap",
+         text(scene.contact.rear_gap),
+         "none",
+         "Contact/Rear gap = none: the pressure of a node acts on the mass, "
+         "which one behind the body would not");
       check_entries_beside_bodies(scene, name);
     }
 
@@ -913,6 +929,45 @@ namespace ThermoContact
                    "1, since " + jumps,
                    std::string("more ") + path);
         }
+    }
+
+
+
+    /**
+     * Rigid contacts beside others: schemes but for the one without dispersion
+     * hold or release all contacts at once. Without inertia a rigid contact
+     * has a velocity where an elastic one has a pressure, at an instant; a
+     * damped one relates both.
+     */
+    void
+    check_kinds_of_contacts(const Scene &scene)
+    {
+      const Parameters   &parameters = scene.parameters;
+      const SceneContact &contact    = scene.contact;
+      for (const PairParameters &pair : parameters.row.pairs)
+        {
+          const std::string path = "Contacts/" + pair.name + "/Condition";
+          const Refusal     own{path, pair.condition, "contact or bonded"};
+          if (!pair.has_own_kind())
+            continue;
+          own.since(parameters.contact.condition == no_obstacle().name,
+                    "Contact/Condition = none, of all contacts",
+                    "Boundary/right/Support = free instead of it");
+          own.since(contact.has_rigid_beside_elastic() && contact.is_damped() &&
+                      !scene.material.has_inertia(),
+                    no_inertia + " and a contact is damped, whose pressure "
+                                 "follows from the velocity that a rigid one "
+                                 "beside it takes",
+                    "an elastic Condition for all contacts, or no Damping and "
+                    "Dashpot");
+        }
+      const unsigned int n = scene.row.n_contacts();
+      Refusal{"Time/Scheme", scene.scheme.name, "box or automatic"}.since(
+        contact.has_impacts() && n > 1 && !scene.scheme.has_no_dispersion,
+        contact.has_rigid_beside_elastic() ?
+          "the row has rigid contacts of bodies with inertia beside others" :
+          text("the row has ", n, " rigid contacts of bodies with inertia"),
+        "Time/Scheme = automatic, or Contact/Condition = normal compliance");
     }
 
 
@@ -1020,14 +1075,7 @@ namespace ThermoContact
             no_inertia,
             "Model/Inertia above 0: a mass is inertia alone");
         }
-      const bool has_impacts =
-        scene.contact.law->is_rigid() && scene.contact.has_mass();
-      Refusal{"Time/Scheme", scene.scheme.name, "box or automatic"}.since(
-        has_impacts && row.n_contacts() > 1 && !scene.scheme.has_no_dispersion,
-        text("the row has ",
-             row.n_contacts(),
-             " rigid contacts of bodies with inertia"),
-        "Time/Scheme = automatic, or Contact/Condition = normal compliance");
+      check_kinds_of_contacts(scene);
       for (const RowContact &contact : row.contacts)
         if (contact.exchange && !scene.heat.exchange->is_constant())
           refuse("Contacts/" + contact.name + "/Heat exchange",

@@ -128,6 +128,8 @@ namespace ThermoContact
             {"Gap", scene.fields.has_displacement},
             {"Heat exchange", scene.fields.has_temperature},
             {"Stiffness", scene.fields.has_displacement}};
+          if (pair.has_own_kind())
+            of_fields.emplace_back("Condition", scene.fields.has_displacement);
           for (const auto &[name, value] : pair.own_law.numbers)
             of_fields.emplace_back(name, scene.fields.has_displacement);
           for (const auto &[name, has_field] : of_fields)
@@ -137,30 +139,6 @@ namespace ThermoContact
                             section + "Condition = bonded");
               unused.add_if(!has_field, {section + name}, fields);
             }
-        }
-      const auto has_own = [&](const std::string &name) {
-        return std::all_of(scene.row.contacts.begin(),
-                           scene.row.contacts.end(),
-                           [&](const RowContact &contact) {
-                             return std::any_of(
-                               row.pairs.begin(),
-                               row.pairs.end(),
-                               [&](const PairParameters &pair) {
-                                 const auto own =
-                                   pair.own_law.numbers.find(name);
-                                 return pair.name == contact.name &&
-                                        own != pair.own_law.numbers.end() &&
-                                        own->second;
-                               });
-                           });
-      };
-      for (const ContactLawEntry &entry : contact_law_entries())
-        {
-          const std::string path = "Contact/" + entry.name;
-          unused.add_if(!scene.row.contacts.empty() &&
-                          !scene.row.meets_obstacle && has_own(entry.name),
-                        {path},
-                        "each of Contacts = a number of its own");
         }
       for (const BodyParameters &body : row.bodies)
         {
@@ -223,23 +201,57 @@ namespace ThermoContact
 
 
 
-    /** The entries that other contact laws use, but not this one. */
-    Paths
-    foreign_to_law(const ContactLawKind &law, const Parameters &parameters)
+    /** The entries that contact laws use, but not the law of their contact. */
+    void
+    add_by_laws(const Scene          &scene,
+                const ContactLawKind &general,
+                Collector            &unused)
     {
-      Paths      paths;
-      const auto add = [&](const std::string &name) {
-        paths.push_back("Contact/" + name);
-        paths.push_back(parameters.contact.own_rear_law.path(name));
-        for (const PairParameters &pair : parameters.row.pairs)
-          paths.push_back(pair.own_law.path(name));
+      const Parameters &parameters = scene.parameters;
+      const std::string condition  = "Contact/Condition = " + general.name;
+      const auto        pair_of    = [&](const RowContact &contact) {
+        return std::find_if(parameters.row.pairs.begin(),
+                            parameters.row.pairs.end(),
+                            [&](const PairParameters &pair) {
+                              return pair.name == contact.name;
+                            });
       };
-      if (!law.uses("Compliance"))
-        add("Stiffness");
+      const auto add = [&](const std::string &name, const std::string &entry) {
+        // which contacts have it, and which of these from section Contact
+        const std::string path = "Contact/" + entry;
+        bool is_used           = (parameters.boundary.right.meets_obstacle() ||
+                        scene.row.contacts.empty()) &&
+                       general.uses(name);
+        bool is_taken = is_used;
+        for (const RowContact &contact : scene.row.contacts)
+          {
+            const auto pair    = pair_of(contact);
+            const bool is_pair = pair != parameters.row.pairs.end();
+            if (!(is_pair ? pair->law_kind(general) : general).uses(name))
+              continue;
+            is_used  = true;
+            is_taken = is_taken || !(is_pair && pair->own_law.has_number(name));
+          }
+        if (entry == "Stiffness") // of a file in SI units
+          is_used = is_taken = general.uses(name);
+        unused.add_if(!is_taken,
+                      {path},
+                      is_used ? "each of Contacts = a number of its own" :
+                                condition);
+        unused.add_if(!general.uses(name),
+                      {parameters.contact.own_rear_law.path(entry)},
+                      condition);
+        for (const PairParameters &pair : parameters.row.pairs)
+          unused.add_if(!pair.law_kind(general).uses(name),
+                        {pair.own_law.path(entry)},
+                        pair.has_own_kind() ?
+                          "Contacts/" + pair.name +
+                            "/Condition = " + pair.condition :
+                          condition);
+      };
+      add("Compliance", "Stiffness");
       for (const ContactLawEntry &entry : contact_law_entries())
-        if (!law.uses(entry.name))
-          add(entry.name);
-      return paths;
+        add(entry.name, entry.name);
     }
 
 
@@ -299,7 +311,10 @@ namespace ThermoContact
                   "Dimension = " + std::to_string(parameters.dimension));
     const ContactLawKind &law       = contact_law(parameters.contact.condition);
     const std::string     condition = "Contact/Condition = " + law.name;
-    unused.add_if(true, foreign_to_law(law, parameters), condition);
+    add_by_laws(scene, law, unused);
+    unused.add_if(!parameters.uses_general_law(),
+                  {"Contact/Condition"},
+                  "each of Contacts = a Condition of its own");
     unused.add_if(!law.make(parameters.contact.law)->is_active(),
                   {"Contact/Gap",
                    "Contact/Rear gap",
@@ -328,9 +343,9 @@ namespace ThermoContact
                    "Boundary/right/Dashpot",
                    "Boundary/right/Mass"},
                   support);
+    unused.add_if(!right.meets_obstacle(), {"Contact/Rear gap"}, support);
     unused.add_if(!right.meets_obstacle() && !parameters.has_row(),
                   {"Contact/Gap",
-                   "Contact/Rear gap",
                    "Contact/Massless nodes",
                    "Time/Locate contact events"},
                   support);

@@ -46,7 +46,8 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n; ++i)
       locators.emplace_back(body.scene.contact.law_at(i),
                             body.scene.contact.locates_events &&
-                              (n == 1 || !body.law().is_rigid()),
+                              (n == 1 ||
+                               !body.scene.contact.law_at(i).is_rigid()),
                             body.scene.contact.order,
                             body.scene.parameters.time.has_error_control() ?
                               body.scene.parameters.time.tolerance :
@@ -122,8 +123,8 @@ namespace ThermoContact
           first = finding;
         if (finding.kind == Finding::nothing)
           continue;
-        changes.of_contacts.resize(locators.size(), Finding::nothing);
-        changes.of_contacts[i] = finding.kind;
+        changes.of_contacts.resize(locators.size());
+        changes.of_contacts[i] = {finding.kind, finding.obstacle};
       }
     return first.kind == Finding::within ? first : changes;
   }
@@ -217,7 +218,10 @@ namespace ThermoContact
       {
         Finding of_this;
         if (!finding.of_contacts.empty())
-          of_this.kind = finding.of_contacts[i];
+          {
+            of_this.kind     = finding.of_contacts[i].kind;
+            of_this.obstacle = finding.of_contacts[i].obstacle;
+          }
         if (of_this.kind == Finding::at_start) // the law has seen it
           locators[i].finish_by_law();
         std::vector<ContactEvent> own_events;
@@ -264,7 +268,7 @@ namespace ThermoContact
     if (result.is_prescribed) // it supposes nothing
       locator.finish_by_law();
     const ContactMode mode = locator.mode();
-    if (!result.closed_nodes.empty() && body.law().is_rigid())
+    if (!result.closed_nodes.empty() && body.scene.contact.has_rigid())
       reset.settle_velocities(result.closed_nodes, result.state);
     get_contact_values(body, result.state, next);
     events.insert(events.end(), result.impacts.begin(), result.impacts.end());
@@ -344,7 +348,8 @@ namespace ThermoContact
       locator.set_present(next);
     if (is_held && towards <= continuous && away > continuous)
       locator.switch_at_start(state.time); // nodes with inertia do not follow
-    else if (std::max(towards, away) > continuous && body.law().is_rigid() &&
+    else if (std::max(towards, away) > continuous &&
+             body.scene.contact.has_rigid() &&
              body.scene.contact.order == NodeOrder::viscous)
       jump(state, events);
   }

@@ -81,8 +81,7 @@ namespace ThermoContact
   EnergyMonitor::EnergyMonitor(const Scene &scene)
     : scene(scene)
     , is_active(!scene.has_work())
-    , gives_back(scene.scheme.has_no_dispersion &&
-                 scene.contact.law->is_rigid())
+    , gives_back(scene.scheme.has_no_dispersion && scene.contact.has_rigid())
     , allowed_per_run(allowed_energy(scene))
     , allowed_per_step(scene.parameters.time.has_error_control() ?
                          2. * scene.parameters.time.tolerance :

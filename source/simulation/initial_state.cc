@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/exceptions.h>
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
@@ -219,9 +220,11 @@ namespace ThermoContact
     void
     check_overlap(const Body<dim> &body, const State &state)
     {
-      const double smallest =
-        *std::min_element(state.gap.begin(), state.gap.end());
-      if (!body.scene.contact.stops_overlap(smallest))
+      double smallest = infinity;
+      for (unsigned int i = 0; i < state.gap.size(); ++i)
+        if (body.scene.contact.stops_overlap(i, state.gap[i]))
+          smallest = std::min(smallest, state.gap[i]);
+      if (smallest == infinity)
         return;
       throw InputError(entry_of_gap(body.scene, true) + "\n  allowed: above " +
                        length_text(body.scene, -smallest) +
@@ -239,7 +242,7 @@ namespace ThermoContact
                       const State     &state)
     {
       const Scene &scene = body.scene;
-      if (!scene.contact.law->is_rigid() || scene.material.is_static())
+      if (!scene.contact.has_rigid() || scene.material.is_static())
         return; // a static body is in equilibrium with the obstacle
       const QuantityUnits units(scene.parameters);
       const double        prescribed_time =
@@ -251,20 +254,26 @@ namespace ThermoContact
       const std::vector<double> &displacement = values.displacement;
       for (const auto *obstacle : {&values.front, &values.rear})
         {
-          const std::vector<double> &penetration = obstacle->penetration;
-          const std::string          entry =
+          std::vector<double> penetration = obstacle->penetration;
+          for (unsigned int i = 0; i < penetration.size(); ++i)
+            if (!scene.contact.law_at(i).is_rigid())
+              penetration[i] = -infinity;
+          const std::string entry =
             entry_of_gap(scene, obstacle == &values.rear) + ": the ";
           const unsigned int deepest =
             std::max_element(penetration.begin(), penetration.end()) -
             penetration.begin();
           const std::string depth = units.text("length", penetration[deepest]);
-          if (penetration[deepest] > 0. && scene.row.is_given())
+          const std::string remedy_of_row =
+            "another Displacement of a body, or Contact/Condition = normal "
+            "compliance";
+          if (penetration[deepest] > 0. && scene.row.is_given() &&
+              obstacle == &values.front)
             throw InputError(
               "Contacts: " + scene.row.contact_names()[deepest] +
               " overlap by " + depth +
-              " at the start, and are rigid\n  remedy:  a larger gap there, "
-              "another Displacement of a body, or Contact/Condition = normal "
-              "compliance");
+              " at the start, and are rigid\n  remedy:  a larger gap there, " +
+              remedy_of_row);
           if (penetration[deepest] > 0.)
             throw InputError(
               entry + "initial displacement " +
@@ -273,9 +282,11 @@ namespace ThermoContact
                  "" :
                  ", where the gap is " +
                    units.text("length", state.gap[deepest]) + ',') +
-              " penetrates the rigid obstacle\n  remedy:  a larger gap, another "
-              "Initial values/Displacement, or Contact/Condition = normal "
-              "compliance");
+              " penetrates the rigid obstacle\n  remedy:  a larger gap, " +
+              (scene.row.is_given() ?
+                 remedy_of_row :
+                 "another Initial values/Displacement, or Contact/Condition = "
+                 "normal compliance"));
           for (unsigned int i = 0; i < penetration.size(); ++i)
             if (const double way = prescribed_time * obstacle->velocity[i];
                 penetration[i] + way >
@@ -317,11 +328,11 @@ namespace ThermoContact
         {
           for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
             if (state.contact_pressure[i] != 0.)
-              warnings.push_back(
-                text("Contacts: ",
-                     body.scene.row.contact_names()[i],
-                     " press on each other at the start with ",
-                     units.text("stress", state.contact_pressure[i])));
+              warnings.push_back(text(
+                "Contacts: ",
+                body.scene.row.contact_names()[i],
+                " press on each other at the start with ",
+                units.text("stress", std::abs(state.contact_pressure[i]))));
           return;
         }
       warnings.push_back(text(

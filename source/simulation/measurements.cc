@@ -89,18 +89,23 @@ namespace ThermoContact
         contact.time           = state.time;
         contact.gap = contact.velocity = contact.heat_flux = nan;
         contact.contact_force = state.contact_pressure[i];
-        contact.in_contact    = state.contact_pressure[i] > 0.;
+        contact.in_contact    = false;
       }
     if (fields.has_displacement)
       {
         const BodyRow &row = body.scene.row;
         get_contact_values(body, state, row_values);
+        get_node_laws(body, state, contact_laws, contact_values);
         for (unsigned int i = 0; i < n; ++i)
           {
-            record.contacts[i].gap      = row.n_contacts() == 0 ?
-                                            nan : // an end that meets nothing
-                                       0. - row_values.front.penetration[i];
-            record.contacts[i].velocity = row_values.front.velocity[i];
+            ContactRecord &contact = record.contacts[i];
+            contact.velocity       = row_values.front.velocity[i];
+            if (row.n_contacts() == 0)
+              continue; // an end that meets nothing
+            contact.gap = 0. - contact_laws[i].penetration(contact_values[i]);
+            contact.in_contact =
+              contact_laws[i].is_in_contact(contact_values[i],
+                                            state.contact_pressure[i]);
           }
         const unsigned int last =
           body.discretization.entry_of_right_end(Field::displacement);

@@ -274,17 +274,31 @@ namespace ThermoContact
 
     std::vector<NodeLaw> laws;
     std::vector<double>  position;
-    if (body.law().is_rigid())
+    const SceneContact  &contact = body.scene.contact;
+    // of elastic contacts, which follow from the displacement alone
+    std::vector<double> elastic(state.contact_pressure.size(), 0.);
+    if (contact.has_rigid())
       {
         get_velocity_laws(body,
                           state,
                           closed_nodes(body, state, is_closed),
                           laws);
+        for (unsigned int i = 0; i < laws.size(); ++i)
+          if (!contact.law_at(i).is_rigid())
+            {
+              laws[i].law = nullptr;
+              elastic[i]  = state.contact_pressure[i];
+            }
         std::fill(state.contact_pressure.begin(),
                   state.contact_pressure.end(),
                   0.);
+        if (contact.has_rigid_beside_elastic())
+          body.contact_end().subtract_load(Field::displacement,
+                                           elastic,
+                                           1.,
+                                           load);
       }
-    else if (body.scene.contact.is_damped())
+    else if (contact.is_damped())
       {
         get_node_laws(body, state, laws, position);
         for (unsigned int i = 0; i < laws.size(); ++i)
@@ -295,7 +309,7 @@ namespace ThermoContact
               laws[i].start = laws[i].without_pull(position[i]);
           }
       }
-    else // the pressure follows from the displacement alone
+    else
       body.contact_end().subtract_load(Field::displacement,
                                        state.contact_pressure,
                                        1.,
@@ -310,6 +324,10 @@ namespace ThermoContact
     stiffness.linearize(state);
     stiffness.solve(
       r, laws, position, factor, state.velocity, state.contact_pressure);
+    if (contact.has_rigid_beside_elastic())
+      for (unsigned int i = 0; i < elastic.size(); ++i)
+        if (!contact.law_at(i).is_rigid())
+          state.contact_pressure[i] = elastic[i];
     state.velocity *= factor;
     body.driven_end.set_velocity(state.load_time, state.velocity);
   }
@@ -737,7 +755,8 @@ namespace ThermoContact
   {
     const bool is_damped = body.scene.contact.is_damped();
     const bool is_viscous_at_rigid =
-      body.law().is_rigid() && body.scene.contact.order == NodeOrder::viscous;
+      body.scene.contact.has_rigid() &&
+      body.scene.contact.order == NodeOrder::viscous;
     if ((!is_damped && !is_viscous_at_rigid) || body.scene.has_midpoint_mass)
       return; // waves give the end its velocity
     if (!body.scene.material.has_inertia())

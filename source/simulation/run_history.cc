@@ -10,15 +10,15 @@ namespace ThermoContact
   namespace
   {
     /**
-     * True if the velocity of the contact end relative to the obstacle is, to
-     * the order of the scheme, the rate of the penetration, on which alone the
-     * force depends. Between two obstacles it is not, nor with the mean values
-     * over steps of the scheme without dispersion.
+     * True if the velocity of a contact is, to the order of the scheme, the
+     * rate of the penetration, on which alone the force depends. Between two
+     * obstacles it is not, nor with the mean values over steps of the scheme
+     * without dispersion.
      */
     bool
-    has_rates(const Scene &scene)
+    has_rates(const Scene &scene, const unsigned int number)
     {
-      const ContactLaw &law = *scene.contact.law;
+      const ContactLaw &law = scene.contact.law_at(number);
       return scene.parameters.dimension == 1 && scene.scheme.order > 1 &&
              !scene.scheme.has_mean_velocity &&
              !scene.scheme.has_no_dispersion && !law.is_rigid() &&
@@ -41,19 +41,19 @@ namespace ThermoContact
   void
   RunHistory::add_maxima(const Scene &scene, const double gap_rate)
   {
-    const SceneContact &contact     = scene.contact;
-    const bool          rates_exist = has_rates(scene);
-    const auto          add         = [&](const unsigned int number,
+    const SceneContact &contact = scene.contact;
+    const auto          add     = [&](const unsigned int number,
                          const double       penetration,
                          const double       force, // of either obstacle
                          const double       rate) {
-      Peaks &at = peaks[number];
+      Peaks     &at          = peaks[number];
+      const bool rates_exist = has_rates(scene, number);
       at.penetration.add(record.time, penetration, rates_exist ? rate : nan);
       at.force.add(record.time,
                    force,
                    !rates_exist ? nan :
-                                    force > 0. ? rate / contact.law_at(number).tangent(force) :
-                                                 0.);
+                                force > 0. ? rate / contact.law_at(number).tangent(force) :
+                                             0.);
       max_penetration = std::fmax(max_penetration, at.penetration.top());
       max_contact_force = std::fmax(max_contact_force, at.force.top());
     };
@@ -67,11 +67,13 @@ namespace ThermoContact
     for (unsigned int i = 0; i < contacts.size(); ++i)
       {
         const double force = std::abs(contacts[i].contact_force);
-        add(i,
-            contact.is_damped() ? std::fmax(0., 0. - contacts[i].gap) :
-                                  contact.law_at(i).penetration(force),
-            force,
-            contacts[i].velocity);
+        add(
+          i,
+          contact.is_damped() ?
+            std::fmax(0., 0. - contacts[i].gap) :
+            contact.law_under(contacts[i].contact_force, i).penetration(force),
+          force,
+          contacts[i].velocity);
       }
   }
 

@@ -314,9 +314,10 @@ namespace ThermoContact
     // at the first touch, where the viscous stress stops the end
     if (scene.scheme.has_no_dispersion && dashpot > 0.)
       return zeta / dashpot;
-    if (!law.is_rigid() && !scene.contact.compliance())
+    const bool has_rigid = scene.contact.has_rigid();
+    if (!has_rigid && !scene.contact.compliance())
       return infinity;
-    const double compliance = scene.contact.compliance().value_or(0.);
+    const double compliance = has_rigid ? 0. : *scene.contact.compliance();
     return critical_step_size(b, zeta, compliance) < zeta ?
              layer_of_impact(b, zeta, compliance) :
              infinity;

@@ -10,15 +10,15 @@ namespace ThermoContact
                 const double        gap,
                 double             &position)
   {
-    const double u = position;
+    const double u = position, rear_gap = contact.rear_gap_at(node);
     NodeLaw      law(contact.law_at(node));
     law.rear_law = contact.rear_law.get();
-    law.play     = gap + contact.rear_gap;
+    law.play     = gap + rear_gap;
     position     = u - gap;
     if (law.penetration_slope(position) < 0)
       {
         law.side = -1;
-        position = u + contact.rear_gap;
+        position = u + rear_gap;
       }
     return law;
   }
@@ -161,7 +161,7 @@ namespace ThermoContact
       {
         const double u       = values.displacement[i];
         rear.velocity[i]     = -front.velocity[i]; // it rests
-        rear.penetration[i]  = -u - contact.rear_gap;
+        rear.penetration[i]  = -u - contact.rear_gap_at(i);
         front.velocity[i]    = front.velocity[i] - state.gap_rate[i];
         front.penetration[i] = state.known_penetration.empty() ?
                                  u - state.gap[i] :

@@ -86,10 +86,10 @@ namespace ThermoContact
                                   "\n  remedy:  ",
                                   remedy));
     };
-    for (const TimeDerivatives &at : derivatives)
-      if (!std::isfinite(at.value))
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      if (const double gap = derivatives[i].value; !std::isfinite(gap))
         fail("is not finite", "a function that is finite up to Time/End time");
-      else if (contact.stops_overlap(at.value))
+      else if (contact.stops_overlap(i, gap))
         fail("the stops overlap", "a larger Contact/Rear gap");
   }
 

@@ -122,7 +122,7 @@ namespace ThermoContact
       const double impedance  = std::sqrt(scene.material.inertia);
       const auto   compliance = scene.contact.compliance();
       const bool   is_hard = compliance && 2. * *compliance * impedance < step;
-      if (!is_hard && !scene.contact.law->is_rigid())
+      if (!is_hard && !scene.contact.has_rigid())
         return errors;
       const double n    = std::count_if(history.events.begin(),
                                      history.events.end(),

@@ -128,16 +128,17 @@ namespace ThermoContact
         if (ends[c].contact.pressure != 0.)
           result.n_iterations = 1;
         if (ends[c].masses)
-          for (const auto &[part, velocity] : ends[c].masses->impacts)
+          for (const auto &[part, velocity, side] : ends[c].masses->impacts)
             for (const ContactEvent::Kind kind :
                  {ContactEvent::begin, ContactEvent::end})
               result.impacts.push_back(
                 {state.time + part,
                  kind,
-                 kind == ContactEvent::begin ?
-                   velocity :
-                   0. - *body.scene.parameters.contact.restitution * velocity,
-                 1,
+                 side * (kind == ContactEvent::begin ?
+                           velocity :
+                           0. - *body.scene.parameters.contact.restitution *
+                                  velocity),
+                 side,
                  c});
       }
     result.start_sums();
@@ -382,7 +383,7 @@ namespace ThermoContact
     path.size       = size;
     path.front      = start(contact.law_at(c), u - state.gap[c], p);
     path.front_rate = (obstacle.gap[c] - state.gap[c]) / size;
-    path.rear       = start(contact.law_at(c, -1), -u - contact.rear_gap, -p);
+    path.rear = start(contact.law_at(c, -1), -u - contact.rear_gap_at(c), -p);
     // bodies that rest side by side do not meet by the rounding of waves
     path.negligible_velocity =
       (body.scene.row.is_given() ? Tolerances::rounding_of_fronts :
@@ -496,21 +497,28 @@ namespace ThermoContact
     const double velocity   = velocity_of(c, state) - start_rate;
     const double change =
       2. * (path.free_velocity - path.front_rate - velocity);
-    end.masses = ThermoContact::follow_masses(
+    // one behind rests
+    const double own_velocity = velocity_of(c, state);
+    const double own_change   = 2. * (path.free_velocity - own_velocity);
+    const double old_pressure = state.contact_pressure[c];
+    end.masses                = ThermoContact::follow_masses(
       {path.size,
-       path.front,
-       velocity,
-       change / path.size,
-       state.contact_pressure[c] != 0.,
-       *body.scene.parameters.contact.restitution});
+                      {path.front, velocity, change / path.size},
+                      {path.rear, -own_velocity, -own_change / path.size},
+       old_pressure == 0. ? 0 :
+                      old_pressure > 0.  ? 1 :
+                                           -1,
+                      *body.scene.parameters.contact.restitution});
     const MassImpacts &masses = *end.masses;
     end.end_velocity =
-      masses.velocity +
-      (masses.is_closed ? obstacle.gap_rate[c] : start_rate + rise);
+      masses.velocity + (masses.held_at > 0 ? obstacle.gap_rate[c] :
+                         masses.held_at < 0 ? 0. :
+                                              start_rate + rise);
     // the midpoint rule changes velocities by twice the mean pressure
     const double by_contact =
-      masses.is_closed ? end.end_velocity - start_rate - rise + masses.change :
-                         masses.change;
+      masses.held_at > 0 ?
+        end.end_velocity - start_rate - rise + masses.change :
+        masses.change;
     end.contact.pressure = -0.5 * by_contact / path.response;
     end.contact.velocity =
       path.free_velocity - path.response * end.contact.pressure;
@@ -521,7 +529,9 @@ namespace ThermoContact
         at_end += rise - former_gaps[c].second * path.size;
       }
     end.end_pressure = end.contact.end_pressure =
-      masses.is_closed ? std::max(0., 0.5 * at_end / path.response) : 0.;
+      masses.held_at > 0 ? std::max(0., 0.5 * at_end / path.response) :
+      masses.held_at < 0 ? std::min(0., 0.5 * own_change / path.response) :
+                           0.;
     end.contact.weight = 1.;
     // a mean power over the step, of the mass that response shows
     end.contact.damping_power = 0.5 * masses.loss / path.response;
@@ -586,14 +596,15 @@ namespace ThermoContact
     path.free_velocity = end.free_velocity = values.velocity;
     path.response                          = by_pressure.velocity;
     end.contact.velocity                   = values.velocity;
-    if (body.law().is_rigid() && contacts[c].is_of_masses())
+    const bool is_rigid = body.scene.contact.law_at(c).is_rigid();
+    if (is_rigid && contacts[c].is_of_masses())
       follow_masses(c, state, path, end);
     else if (body.law().is_active())
       end.contact = solve_step_contact(body.scene.contact.law_at(c),
                                        body.scene.contact.law_at(c, -1),
                                        path);
     end.releases = releases;
-    if (auto &now = end.releases.now; now && body.law().is_rigid())
+    if (auto &now = end.releases.now; now && is_rigid)
       {
         const double pressure =
           now->side * now->part * now->before / path.response;
@@ -813,18 +824,24 @@ namespace ThermoContact
       {
         const EndContact &end         = ends[c];
         new_state.contact_pressure[c] = end.end_pressure;
-        if (body.scene.contact.law_under(end.end_pressure, c).is_damped() ||
-            (end.end_pressure == 0. && body.scene.contact.is_damped()))
+        if (const ContactLaw &law =
+              body.scene.contact.law_under(end.end_pressure, c);
+            law.is_damped() || (end.end_pressure == 0. && !law.is_rigid() &&
+                                body.scene.contact.is_damped()))
           continue;
         // on the obstacle to the last digit, and never behind it
-        const double u = contacts[c].sum([&](const ContactSide &side) {
+        const double u    = contacts[c].sum([&](const ContactSide &side) {
           return side.value(new_state.displacement);
         });
+        const double rear = -body.scene.contact.rear_gap_at(c);
         const double place =
-          end.masses             ? new_state.gap[c] + end.masses->penetration :
-          end.end_pressure != 0. ? displacement_of_law(body, new_state, c) :
-                                   std::max(std::min(u, new_state.gap[c]),
-                                            -body.scene.contact.rear_gap);
+          end.masses && end.masses->held_at < 0 ?
+            rear :
+          end.masses ?
+            std::max(new_state.gap[c] + end.masses->penetration, rear) :
+          end.end_pressure != 0. ?
+            displacement_of_law(body, new_state, c) :
+            std::max(std::min(u, new_state.gap[c]), rear);
         if (end.masses) // as impulses move them
           {
             const Vector &response =
@@ -848,8 +865,11 @@ namespace ThermoContact
                                contacts[c].sides[0].value(state.displacement);
                 work_of_impacts +=
                   mass * (0.5 * (end.end_velocity * end.end_velocity - v * v) -
-                          change / size * (place - old_u) + end.masses->loss) +
-                  end.contact.pressure * (new_state.gap[c] - state.gap[c]);
+                          change / size * (place - old_u) + end.masses->loss);
+                // which the pressure has done already, but behind the mass
+                if (end.contact.pressure > 0. || std::isinf(rear))
+                  work_of_impacts +=
+                    end.contact.pressure * (new_state.gap[c] - state.gap[c]);
               }
           }
         else if (contacts[c].sides.size() == 1)

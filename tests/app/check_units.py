@@ -175,6 +175,13 @@ def check_quantities():
     check_scene("pair.prm", {**law, "Bodies/a/Length": ("1", "1 m"), "Bodies/b/Length": ("1", "1 m"),
                              "Contacts/a b/Stiffness": ("3e9", "3e9")},
                 {"Contacts/a b/Compliance": (E * A / 3e9)**(1 / 1.5) / L})
+    # a contact of another kind; no other one needs a stiffness of section Contact
+    check_scene("kind.prm", {"Model/Fields": ("displacement", "displacement"), "Contact/Gap": ("1e-5", "10 um"),
+                             "Boundary/right/Support": ("free", "free"), "Time/End time": ("1e-3", "1 ms"),
+                             "Bodies/a/Length": ("1", "1 m"), "Bodies/b/Length": ("1", "1 m"),
+                             "Contacts/a b/Condition": ("power law", "power law"),
+                             "Contacts/a b/Exponent": ("1.5", "1.5"), "Contacts/a b/Stiffness": ("3e9", "3e9")},
+                {"Contacts/a b/Compliance": (E * A / 3e9)**(1 / 1.5) / L})
 
 
 def check_expressions():

@@ -15,6 +15,7 @@ def mass(name):
 FREE = ("Boundary/left/Support=free",)
 RIGID = ("Contact/Condition=rigid",)
 POWER = ("Contact/Condition=power law",)
+NONE = ("Contact/Condition=none",)
 ALONE = ("Boundary/right/Support=free",)
 HELD = ("Boundary/right/Support=clamped",)
 STATIC = ("Model/Inertia=0",)
@@ -33,7 +34,11 @@ SCENES = [
     ("Time/Scheme", TWO + FIXED, "Time/Scheme=energy conserving", "Time/Scheme=backward euler"),
     ("Time/Start", TWO + FIXED + ("Time/Scheme=backward euler",), "Time/Start=paper", "Time/Start=consistent"),
     ("Contact/Massless nodes", TWO + SDIRK, "Contact/Massless nodes=on", "Contact/Massless nodes=off"),
-    ("Contact/Rear gap", TWO, "Contact/Rear gap=0.1", "Contact/Rear gap=none"),
+    # two stops at the right end
+    ("Contact/Rear gap", TWO, "Contact/Rear gap=-0.1", "Contact/Rear gap=0"),
+    ("Contact/Rear gap", TWO + RIGID + ("Contact/Rear gap=0.1", "Contacts/a b/Gap=1"), "Bodies/b/Displacement=-0.2",
+     "Bodies/b/Displacement=-0.1"),
+    ("Contacts", TWO + RIGID + ("Contact/Rear gap=0.1",), "Bodies/b/Displacement=0.2", "Bodies/b/Displacement=0.1"),
     ("Contact/Gap", TWO + ALONE + ("Contacts/a b/Gap=0.1",), "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1",
      ("Contact/Gap=0.1+0.01*t", "Boundary/right/Support=contact")),
     ("Contacts/a b/Gap", TWO, "Contact/Gap=0.1+0.01*t", ("Contact/Gap=0.1+0.01*t", "Contacts/a b/Gap=0.1")),
@@ -48,6 +53,16 @@ SCENES = [
     # two contacts of rigid bodies with inertia; one is located
     ("Time/Scheme", TWO + RIGID, "Time/Scheme=sdirk4", "Time/Scheme=box", SDIRK + ALONE,
      SDIRK + ("Contact/Condition=normal compliance",)),
+    # a rigid contact beside another one; alone it is located
+    ("Time/Scheme", TWO + (CONDITION + "=rigid",), "Time/Scheme=sdirk4", "Time/Scheme=box", SDIRK + ALONE),
+    ("Time/Scheme", TWO + RIGID + (CONDITION + "=power law",), "Time/Scheme=sdirk4", "Time/Scheme=box",
+     SDIRK + ("Contact/Condition=normal compliance",)),
+    (CONDITION, TWO + STATIC + ("Boundary/right/Spring=1", "Contact/Damping=0.5"), CONDITION + "=rigid",
+     CONDITION + "=power law", (CONDITION + "=rigid", "Contact/Damping=0"),
+     (CONDITION + "=rigid", "Model/Inertia=1", "Boundary/right/Spring=0")),
+    (CONDITION, TWO + NONE, CONDITION + "=power law", CONDITION + "=contact",
+     (CONDITION + "=power law", "Contact/Condition=rigid")),
+    (CONDITION, TWO, CONDITION + "=none", CONDITION + "=rigid"),
     # what stands at the end of a row
     ("Boundary/left/Support", MOVING + mass("a") + rods("b"), "Boundary/left/Support=clamped",
      "Boundary/left/Support=free"),
@@ -80,7 +95,11 @@ SCENES = [
     (RESTITUTION, BALLS + RIGID, RESTITUTION + "=1.1", RESTITUTION + "=1"),
     (RESTITUTION, MOVING + TWO + RIGID, RESTITUTION + "=0.5", RESTITUTION + "=none"),
     ("Bodies/b/Kind", BALLS + RIGID + mass("c") + (RESTITUTION + "=1",), "Bodies/b/Kind=mass",
-     ("Bodies/b/Kind=rod", RESTITUTION + "=none")),
+     ("Bodies/b/Kind=rod", RESTITUTION + "=none"), CONDITION + "=power law"),
+    (RESTITUTION, BALLS + (CONDITION + "=rigid",), RESTITUTION + "=none", RESTITUTION + "=0.5",
+     (RESTITUTION + "=none", CONDITION + "=power law")),
+    (RESTITUTION, BALLS + (CONDITION + "=power law",), RESTITUTION + "=0.5", RESTITUTION + "=none",
+     (RESTITUTION + "=0.5", CONDITION + "=rigid")),
     ("Bodies/a b/Length", (), "Bodies/a b/Length=1", "Bodies/a_b/Length=1"),
     ("Contacts/a c", rods("a"), "Contacts/a c/Gap=0.1"),
     ("Contacts/a c", TWO, "Contacts/a c/Gap=0.1", "Contacts/a b/Gap=0.1"),
@@ -113,6 +132,8 @@ SCENES = [
     ("Contacts/a b/Compliance", TWO, "Contacts/a b/Compliance=0", "Contacts/a b/Compliance=1e-13",
      "Contacts/a b/Compliance=none"),
     ("Contacts/a b/Exponent", TWO + POWER, "Contacts/a b/Exponent=0.999", "Contacts/a b/Exponent=1"),
+    ("Contacts/a b/Compliance", TWO + RIGID + (CONDITION + "=power law",), "Contacts/a b/Compliance=0",
+     "Contacts/a b/Compliance=1e-13", "Contacts/a b/Compliance=none"),
     ("Contacts/a b/Dashpot", TWO + STATIC + HELD + ("Model/Viscosity=0",), "Contacts/a b/Dashpot=0.5",
      "Contacts/a b/Dashpot=0", ("Contacts/a b/Dashpot=0.5", "Model/Viscosity=0.1")),
     ("Contacts/a b/Stiffness", TWO, "Contacts/a b/Stiffness=1e8", "Contacts/a b/Compliance=0.1"),

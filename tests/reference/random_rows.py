@@ -8,6 +8,8 @@ one p,
     p = (R_A - L_B)/(1/Z_A + 1/Z_B),
 as long as that is not negative; layers likewise, with any sign. A mass has m v' = Z_A (R_A - v) - Z_B (v - L_B) from those
 that touch it, by the trapezoidal rule. A gap that would close in a step closes at its end. Of first order in the step.
+Contact begins and ends with its pressure, in the middle of a step. With steps twice as long its times differ by their
+error, since that is of first order.
 """
 import math
 import random
@@ -89,8 +91,23 @@ class Scene:
         return names + ([f"{self.bodies[-1].name}-obstacle"] if self.right == "contact" else [])
 
 
+NO_PRESSURE = 1e-9  # rounding, of velocities and impedances of order 1
+
+
+def without_short_ones(times, shortest):
+    """Begins and ends in turn, without two that are closer to each other."""
+    kept = []
+    for time in times:
+        if kept and time - kept[-1] < shortest:
+            kept.pop()
+        else:
+            kept.append(time)
+    return kept
+
+
 def solve(scene, places_per_tenth=200):
-    """Impulses of the contacts, and displacement of the right end."""
+    """Impulses of the contacts, displacement of the right end, and for each contact the times where it begins and ends
+    in turn."""
     step = 0.1 / places_per_tenth
     bodies = scene.bodies
     n = len(bodies)
@@ -103,8 +120,15 @@ def solve(scene, places_per_tenth=200):
     gaps = [0. if gap is None else gap for gap in scene.gaps] + [scene.obstacle_gap]
     impulses = [0.] * n
     displacement = 0.
+    changes = [[] for _ in range(n)]
     clamped = scene.left == "clamped"
-    for _ in range(round(scene.end_time / step)):
+
+    def note(contact, pressure, time):
+        if (pressure > NO_PRESSURE) != len(changes[contact]) % 2:
+            changes[contact].append(time)
+
+    for number in range(round(scene.end_time / step)):
+        middle = (number + 0.5) * step
         for i, body in enumerate(bodies):
             if body.kind == "rod":
                 right[i][1:] = right[i][:-1].copy()
@@ -138,6 +162,7 @@ def solve(scene, places_per_tenth=200):
                         p *= min(1., (step * (ra - lb) - gaps[i]) / (step * (ra - lb))) if ra > lb else 1.
                         gaps[i] = 0.
                 impulses[i] += step * p
+                note(i, p, middle)
                 left[i][-1] = ra - 2. * p / za
                 if not last:
                     right[i + 1][0] = lb + 2. * p * yb
@@ -175,14 +200,15 @@ def solve(scene, places_per_tenth=200):
             va = mean if touch_a else ra
             gaps[i - 1] = 0. if touch_a else max(0., gaps[i - 1] - step * (ra - mean))
             impulses[i - 1] += step * pa
+            note(i - 1, pa, middle)
             left[i - 1][-1] = ra - 2. * pa / za
             velocities[i - 1] = va
             if on_right:
                 gaps[i] = 0. if touch_b else max(0., gaps[i] - step * (mean - lb))
                 impulses[i] += step * pb
+                note(i, pb, middle)
                 right[i + 1][0] = lb + 2. * pb / zb
             velocities[i] = mean
         displacement += step * velocities[n - 1]
-    named = [impulse for i, impulse in enumerate(impulses) if (
-        scene.gaps[i] is not None if i < n - 1 else scene.right == "contact")]
-    return named, displacement
+    named = [i for i in range(n) if (scene.gaps[i] is not None if i < n - 1 else scene.right == "contact")]
+    return [impulses[i] for i in named], displacement, [changes[i] for i in named]

@@ -299,8 +299,15 @@ namespace ThermoContact
 
       int obstacle = 1; ///< 1 or -1, in front or behind
 
-      /** Of each contact of a row with several; empty: nothing changes. */
-      std::vector<Kind> of_contacts = {};
+      /** The finding at one contact of a row with several. */
+      struct OfContact
+      {
+        Kind kind     = nothing;
+        int  obstacle = 1;
+      };
+
+      /** Of each; empty: nothing changes. */
+      std::vector<OfContact> of_contacts = {};
     };
 
     /**

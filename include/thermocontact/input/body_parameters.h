@@ -66,16 +66,36 @@ namespace ThermoContact
   /** Two neighbours of a row, section Contacts/LEFT RIGHT. */
   struct PairParameters
   {
-    std::string           name; ///< "LEFT RIGHT"
-    std::string           condition = "contact";
-    std::optional<double> gap;           ///< none: Contact/Gap
-    std::optional<double> heat_exchange; ///< none: Boundary/right
+    std::string           name;                  ///< "LEFT RIGHT"
+    std::string           condition = "contact"; ///< or bonded, or a law
+    std::optional<double> gap;                   ///< none: Contact/Gap
+    std::optional<double> heat_exchange;         ///< none: Boundary/right
     OwnLaw                own_law{"", "", "none", {}, {}};
 
     bool
     is_bonded() const
     {
       return condition == "bonded";
+    }
+
+    /** The law is of a kind that need not be that of section Contact. */
+    bool
+    has_own_kind() const
+    {
+      return condition != "contact" && !is_bonded();
+    }
+
+    bool
+    has_own_law() const
+    {
+      return has_own_kind() || (!is_bonded() && own_law.is_given());
+    }
+
+    /** The kind of law of a contact, @p general of section Contact. */
+    const ContactLawKind &
+    law_kind(const ContactLawKind &general) const
+    {
+      return has_own_kind() ? contact_law(condition) : general;
     }
 
     void
@@ -95,6 +115,15 @@ namespace ThermoContact
     {
       return !bodies.empty();
     }
+
+    /** The pair of two names; null: no entry is given of it. */
+    const PairParameters *
+    find_pair(const std::string &left, const std::string &right) const;
+
+    /** Each pair of neighbours has a kind of law of its own or is bonded, and
+     * one has. */
+    bool
+    have_own_kinds() const;
 
     /** Declares the sections that stand for those of any name. */
     static void

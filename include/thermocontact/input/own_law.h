@@ -34,6 +34,9 @@ namespace ThermoContact
     bool
     is_given() const;
 
+    bool
+    has_number(const std::string &name) const;
+
     /** The numbers of section Contact with its own. */
     ContactLawParameters
     instead_of(const ContactLawParameters &general) const;

@@ -483,9 +483,23 @@ namespace ThermoContact
       return has_material() && row.bodies.size() > 1 ? &row.bodies[1] : nullptr;
     }
 
-    /** The laws with numbers of their own that the scene has. */
-    std::vector<const OwnLaw *>
+    /** A law that is not that of section Contact. */
+    struct OwnLawOfKind
+    {
+      const OwnLaw         *own;
+      const ContactLawKind *kind;
+    };
+
+    /** The laws with numbers or a kind of their own that the scene has. */
+    std::vector<OwnLawOfKind>
     own_laws() const;
+
+    /** False if no contact of the scene has the law of section Contact. */
+    bool
+    uses_general_law() const
+    {
+      return boundary.right.meets_obstacle() || !row.have_own_kinds();
+    }
 
     /** All laws of the scene, that of section Contact first. */
     std::vector<std::unique_ptr<const ContactLaw>>

@@ -74,7 +74,7 @@ namespace ThermoContact
     const bool                           has_temperature, has_displacement;
     const bool                           has_row;     ///< of bodies
     const bool                           is_confined; ///< no lateral strain
-    const ContactLawKind                &law;
+    const ContactLawKind                &law;         ///< of section Contact
     ScalesParameters                     scales;
     ConversionsByKind                    conversions; ///< to SI base units
 
@@ -126,9 +126,26 @@ namespace ThermoContact
     bool
     has_law_at(const std::string &path) const;
 
-    /** Exponent m of the contact law that the entry at @p path is of. */
+    /** The contact law that the entry at @p path is of. */
+    const ContactLawKind &
+    law_at(const std::string &path) const;
+
+    /** Exponent m of that law. */
     double
     law_exponent(const std::string &path) const;
+
+    /** A contact has this number of its law from section Contact. */
+    bool
+    takes_from_section(const std::string &entry) const;
+
+    /**
+     * A contact without a stiffness needs one of its own where that of section
+     * Contact is of another power of the penetration.
+     *
+     * @throw InputError
+     */
+    void
+    check_exponents() const;
 
     /** True for the time of a term that is dropped. */
     bool

@@ -39,6 +39,21 @@ namespace ThermoContact
 
 
 
+  /** The contact law of two bodies, if it is not that of section Contact. */
+  struct RowLaw
+  {
+    std::string          kind; ///< its name
+    ContactLawParameters numbers;
+  };
+
+  inline bool
+  operator==(const RowLaw &one, const RowLaw &other)
+  {
+    return one.kind == other.kind && one.numbers == other.numbers;
+  }
+
+
+
   /** Two bodies that can meet, across a cell of the mesh. */
   struct RowContact
   {
@@ -48,8 +63,7 @@ namespace ThermoContact
 
     std::optional<double> exchange; ///< $k$ of its own
 
-    /** All numbers of a contact law of its own. */
-    std::optional<ContactLawParameters> law;
+    std::optional<RowLaw> law; ///< of its own
   };
 
 

@@ -252,13 +252,15 @@ namespace ThermoContact
   /** The contact end and the obstacle. */
   struct SceneContact
   {
-    std::unique_ptr<const ContactLaw> law; ///< in front
+    /** In front, of section Contact; in a row none of whose contacts has that
+     * one, the law of the first. */
+    std::unique_ptr<const ContactLaw> law;
 
     /** Of the obstacle behind the end, of the same kind; none: as in front. */
     std::unique_ptr<const ContactLaw> rear_law;
 
-    /** Of the contacts of a row that have laws of their own, of the same kind;
-     * none: as the obstacle. Empty: none has. */
+    /** Of the contacts of bodies of a row, the first nodes, that have laws of
+     * their own; none: as in front. */
     std::vector<std::unique_ptr<const ContactLaw>> pair_laws;
 
     /**
@@ -267,8 +269,8 @@ namespace ThermoContact
      */
     double gap;
 
-    /** $g_2$ of an obstacle behind the end, (M4.3); infinite: there is none.
-     */
+    /** $g_2$ of an obstacle behind the end, of a row its right end, (M4.3);
+     * infinite: there is none. */
     double rear_gap = infinity;
 
     /** Of the contact nodes; meaningless without obstacle. */
@@ -295,8 +297,9 @@ namespace ThermoContact
     const ContactLaw &
     law_at(const unsigned int node, const int side = 1) const
     {
-      return node < pair_laws.size() && pair_laws[node] ? *pair_laws[node] :
-                                                          law_of(side);
+      if (node < pair_laws.size())
+        return pair_laws[node] ? *pair_laws[node] : *law;
+      return law_of(side);
     }
 
     /** The law that gives a contact node this pressure. */
@@ -315,6 +318,21 @@ namespace ThermoContact
              std::any_of(pair_laws.begin(),
                          pair_laws.end(),
                          [&](const auto &one) { return one && has(*one); });
+    }
+
+    /** Nothing penetrates at one of the contacts. */
+    bool
+    has_rigid() const
+    {
+      return any([](const ContactLaw &one) { return one.is_rigid(); });
+    }
+
+    /** Others give way beside it. */
+    bool
+    has_rigid_beside_elastic() const
+    {
+      return has_rigid() &&
+             any([](const ContactLaw &one) { return !one.is_rigid(); });
     }
 
     /** A pressure depends on the velocity. */
@@ -367,11 +385,19 @@ namespace ThermoContact
       return std::isfinite(rear_gap);
     }
 
-    /** True if an obstacle in front at this gap reaches the one behind. */
-    bool
-    stops_overlap(const double gap_in_front) const
+    /** $g_2$ of a contact node; infinite where bodies meet. */
+    double
+    rear_gap_at(const unsigned int node) const
     {
-      return !(gap_in_front + rear_gap > 0.);
+      return node < pair_laws.size() ? infinity : rear_gap;
+    }
+
+    /** True if an obstacle in front of a node at this gap reaches the one
+     * behind. */
+    bool
+    stops_overlap(const unsigned int node, const double gap_in_front) const
+    {
+      return !(gap_in_front + rear_gap_at(node) > 0.);
     }
 
     bool
@@ -391,14 +417,14 @@ namespace ThermoContact
     bool
     stops_nodes() const
     {
-      return law->is_rigid() && !is_in_equilibrium();
+      return has_rigid() && !is_in_equilibrium();
     }
 
     /** That takes an impulse. */
     bool
     has_impacts() const
     {
-      return law->is_rigid() && has_mass();
+      return has_rigid() && has_mass();
     }
   };
 
@@ -585,6 +611,19 @@ namespace ThermoContact
     has_bodies() const
     {
       return row.is_given() || profile;
+    }
+
+    /** A contact has a law of this kind. */
+    bool
+    has_law_of(const ContactLawKind &kind) const
+    {
+      return (parameters.uses_general_law() &&
+              parameters.contact.condition == kind.name) ||
+             std::any_of(row.contacts.begin(),
+                         row.contacts.end(),
+                         [&](const RowContact &contact) {
+                           return contact.law && contact.law->kind == kind.name;
+                         });
     }
 
     /** Of both fields, held ones among them. */
