@@ -219,6 +219,10 @@ def check_missing():
     for names, *overrides in (
             (rod + ["Young's modulus"] + hot + ["Linear expansion"] + ends + contact,),
             (rod + hot + ends, "Model/Fields=temperature"),
+            # between two bodies heat is exchanged, whatever holds the right end
+            (rod + hot + ends[:1], "Model/Fields=temperature", "Boundary/right/Temperature=300"),
+            (rod + hot + ends, "Model/Fields=temperature", "Boundary/right/Temperature=300",
+             "Bodies/a/Length=0.5", "Bodies/b/Length=0.5"),
             (rod + ["Young's modulus"] + contact, "Model/Fields=displacement"),
             (rod + ["Young's modulus", "Poisson ratio"] + contact, "Model/Fields=displacement",
              "Rod/Lateral sides=confined"),
