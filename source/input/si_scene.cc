@@ -120,6 +120,19 @@ namespace ThermoContact
 
 
 
+    /** Words that entries have in place of a number or an expression. */
+    bool
+    is_word(const std::string &text)
+    {
+      for (const char *const word :
+           {"", "none", "automatic", "infinity", "as in front"})
+        if (text == word)
+          return true;
+      return false;
+    }
+
+
+
     /** The number of @p text in SI base units; none if it is an expression. */
     std::optional<double>
     si_number(const Assignment  &assignment,
@@ -386,7 +399,7 @@ namespace ThermoContact
       {
         const DeclaredEntry *const entry = find_entry(assignment.path);
         return entry == nullptr || entry->variables(dim).empty() ||
-                   parse_number(assignment.value) ?
+                   is_word(assignment.value) || parse_number(assignment.value) ?
                  assignment.value :
                  in_scene_variables(assignment, assignment.value);
       }
@@ -418,10 +431,8 @@ namespace ThermoContact
   SiScene::scaled(const Assignment &assignment, const std::string &text) const
   {
     const std::string kind = kind_of(assignment.path);
-    for (const char *const word :
-         {"", "none", "automatic", "infinity", "as in front"})
-      if (text == word)
-        return text;
+    if (is_word(text))
+      return text;
     const bool   is_contact_law = kind == "stiffness" || kind == "compliance";
     const double exponent = is_contact_law ? law_exponent(assignment.path) : 1.;
     if (const auto split = split_unit(text);

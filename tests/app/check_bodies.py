@@ -73,6 +73,9 @@ else:
     time, mesh = run.snapshots("obstacle.pvd")[-1]
     check("obstacle", mesh.point_data["displacement"][:, 0].mean(),
           float(rows[-1]["obstacle_displacement"]), 1e-7)
+    check("its gap", mesh.point_data["gap"].mean(), float(rows[-1]["obstacle_displacement"]), 1e-7)
+    if "  mass      hammer of 0.5 kg, velocity -2 m/s\n" not in run.log:
+        faults.append("the hammer is not in the log")
 for fault in faults[:5]:
     print(fault)
 print(f"{run.settings['Title']}:", "as derived" if not faults else f"{len(faults)} faults")

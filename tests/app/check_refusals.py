@@ -351,6 +351,10 @@ SCENES = [
      "Contact/Gap=2.001", "Contact/Gap=2"),
     ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=1-1.001*pressure",
      "Boundary/right/Heat exchange=1-pressure"),
+    # at both temperatures, theta_A = 10 of the fixed end and that of the obstacle
+    *[("Boundary/right/Heat exchange", ("Initial values/Temperature=10", "Boundary/left/Temperature=10", "Boundary/right/Surroundings=20"),
+       f"Boundary/right/Heat exchange={refused}", f"Boundary/right/Heat exchange={accepted}")
+      for refused, accepted in (("theta-11", "theta-9"), ("19-theta", "21-theta"))],
     ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=1/gap",
      "Boundary/right/Heat exchange=1/(1e-6+gap)"),
     ("Boundary/right/Heat exchange", (), "Boundary/right/Heat exchange=1/(pressure-0.5)^2",
@@ -440,12 +444,15 @@ SCENES = [
 
 
 # What --check says of scenes, and does not say of their neighbours: the first step is that of
-# the paper where nothing forbids it; a body of which all depends on x alone is a rod.
+# the paper where nothing forbids it; a contact has a law of its own; a body of which all depends on x
+# alone is a rod.
 SAID = [
     (", start of the paper", EULER,
      ("Boundary/right/Traction=1", "Contact/Massless nodes=off", "Time/Start=paper"),
      ("Contact/Massless nodes=on", "Contact/Gap=0.1+t", "Boundary/left/Displacement=t^2",
       "Model/Inertia=0", EXCHANGE[0], "Time/Scheme=sdirk2", "Time/Start=consistent")),
+    (", a b elastic obstacle, epsilon = 0.5", ("Bodies/a/Length=1", "Bodies/b/Length=1"),
+     ("Contacts/a b/Compliance=0.5",), ("Contacts/a b/Gap=0.5", "Contact/Compliance=0.5")),
     ("Dimension = 1 has the same solution", BLOCK + ("Mesh/Cells=1",),
      ("Initial values/Velocity=x", "Sources/Body force=x; 0; 0", "Sources/Heat source=x*t"),
      ("Initial values/Velocity=x*y", "Initial values/Displacement=x*z", "Sources/Heat source=z",

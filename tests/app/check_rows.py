@@ -102,6 +102,8 @@ elif title == "Hot bar":
     soft = kappa / gamma * hot + (kappa / gamma - 1) * math.log(1 - gamma * hot) / gamma
     last = table("bar-obstacle")
     check("force", last["contact_force"][-1] / (21e6 * 12e-6 * heat / soft), 1, 1e-6)
+    stress = meshio.read(sorted(directory.glob("fields/fields-*.vtu"))[-1]).point_data["stress"]
+    check("stress", abs(1e-4 * stress / last["contact_force"][-1] + 1).max(), 0, 1e-5)  # the same everywhere
 elif title.startswith("Bolt"):
     plates = table("upper-lower")
     lost = 12e-6 * 0.04 * 100 / (1 / 304.5e6 + 1 / 2100e6) * (1 - numpy.exp(-plates["time"] / 10))

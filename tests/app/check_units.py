@@ -226,6 +226,10 @@ def check_missing():
     for names, *overrides in (
             (rod + ["Young's modulus"] + hot + ["Linear expansion"] + ends + contact,),
             (rod + hot + ends, "Model/Fields=temperature"),
+            # between two bodies heat is exchanged, whatever holds the right end
+            (rod + hot + ends[:1], "Model/Fields=temperature", "Boundary/right/Temperature=300"),
+            (rod + hot + ends, "Model/Fields=temperature", "Boundary/right/Temperature=300",
+             "Bodies/a/Length=0.5", "Bodies/b/Length=0.5"),
             (rod + ["Young's modulus"] + contact, "Model/Fields=displacement"),
             (rod + ["Young's modulus", "Poisson ratio"] + contact, "Model/Fields=displacement",
              "Rod/Lateral sides=confined"),
@@ -378,6 +382,20 @@ def check_other_rods():
         faults.append(f"errors between rods: {message}")
 
 
+def check_end_times():
+    """A rod that is pressed from the start on is in contact up to the end: all rows of a study
+    have the unit of the file, also where a run alone would have s or ms."""
+    write("ends.prm", {
+        "Boundary/left/Temperature": ["350"], "Boundary/right/Heat exchange": ["70"],
+        "Contact/Gap": ["-3e-4"], "Contact/Stiffness": ["3e7"], "Time/End time": ["1 h"],
+        "Rod/Small terms": ["dropped"], "Study/Vary": ["Time/End time = 9 | 11"]}, 0)
+    status, _, message = run("--output", "ends", "ends.prm")
+    if status != 0:
+        faults.append(f"study of end times: {message}")
+    for found, seconds in zip(Run("ends").tables["study.csv"]["contact_duration"], (9, 11)):
+        check("time in contact in h", found, seconds / 3600, 1e-12)
+
+
 def check_doubts():
     """A number that hardly is in SI base units; an exponent that is none, beside a unit."""
     screen = run("--check", "--output", "doubts", "--set", "Rod/Density=7.85",
@@ -423,6 +441,6 @@ def check_all_twins():
 
 
 for checks in (check_quantities, check_expressions, check_missing, check_choices, check_all_twins,
-               check_heads, check_other_rods, check_doubts):
+               check_heads, check_other_rods, check_end_times, check_doubts):
     checks()
 print("\n".join(faults) or "as by hand")

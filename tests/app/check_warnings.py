@@ -99,6 +99,10 @@ ROW = BOX + ("Initial values/Velocity=20*x*(x-1)^2", "Boundary/left/Support=free
              "Time/Locate contact events=automatic")
 DIFFERENT = ROW + ("Mesh/Cells=automatic", "Contact/Condition=rigid", "Contact/Gap=0.1", "Bodies/a/Length=1",
                    "Bodies/a/Cells=50", "Bodies/b/Cells=50", "Time/End time=2")
+ROWS = Path("rows.csv").resolve()
+ROWS.write_text("t,F\n0,0\n0.2,1e-3\n")
+LAYERS = Path("layers.csv").resolve()  # up to the middle of a strip of width 0.1
+LAYERS.write_text("x,E\n0,1\n0.5,2\n")
 # overrides and what the warning must say, by hand: the temperature of the fixed
 # end is 10; pressure = penetration/0.01
 START = [
@@ -120,6 +124,10 @@ START = [
     *[(SOFT + ("Dimension=2", f"Bodies/a/Stiffness=if(y<0.05+{slope}*x,2,1)"), doubts) for slope, doubts in (
         (0, []), (0.01, ["Bodies/a/Stiffness = if(y<0.05+0.01*x,2,1): jumps where cells have no face, so that errors "
                          "shrink with their size alone"]))],
+    # a table that ends in the middle of the body, and one that does not end within its width
+    *[(SOFT + ("Dimension=2", "Mesh/Cells=2", f"Bodies/a/Stiffness=table({LAYERS}, {place})"), doubts)
+      for place, doubts in (("x", [f"Bodies/a/Stiffness: {LAYERS} has no row at the far end of the body: the value "
+                                   "of its nearest row holds there"]), ("y", []))],
     # a node of mass b h/20 on the spring 1/1e-8: 2 pi (1e-8/160)^(1/2)
     (SOFT + OSCILLATING + ("Contact/Compliance=1e-8", "Contact/Massless nodes=off"),
      ["Contact/Massless nodes = off: contact nodes with mass bounce on an obstacle so "
@@ -163,9 +171,21 @@ START = [
       "impulses there are of the steps; remedy: more Mesh/Cells, or a smaller Time/Step size "
       "of masses alone"]),
     (ROW + ("Bodies/a/Kind=mass", "Bodies/a/Mass=0.21", "Bodies/b/Length=1"), []),
+    # the impedance is that of the end that is met: section 1 on the left, 4 on the right
+    *[(ROW + bodies + ("Boundary/right/Support=free",),
+       [f"Time/Step size = 0.02: forces of contacts with a mass take about the time in brackets, which steps do not "
+        f"resolve, a b ({time}): peaks, durations, velocities and impulses there are of the steps; remedy: more "
+        "Mesh/Cells, or a smaller Time/Step size of masses alone"])
+      for bodies, time in (
+          (("Bodies/a/Kind=mass", "Bodies/a/Mass=1e-4", "Bodies/b/Length=1", "Bodies/b/Section=1+3*x"), "0.0001"),
+          (("Bodies/a/Length=1", "Bodies/a/Section=1+3*x", "Bodies/b/Kind=mass", "Bodies/b/Mass=1e-4"), "2.5e-05"))],
     (ROW + ("Contact/Condition=normal compliance", "Bodies/a/Length=1",
             "Bodies/b/Length=1", "Contacts/a b/Gap=-0.02"),
      ["Contacts: a-b press on each other at the start with 2"]),
+    # each contact with its own pressure
+    (ROW + ("Contact/Condition=normal compliance", "Bodies/a/Length=1", "Bodies/b/Length=1", "Bodies/c/Length=1",
+            "Contacts/a b/Gap=-0.02", "Contacts/b c/Gap=-0.01", "Mesh/Cells=75"),
+     [f"Contacts: {names} press on each other at the start with {p}" for names, p in (("a-b", 2), ("b-c", 1))]),
     (ROW + ("Contact/Condition=normal compliance", "Bodies/a/Length=1",
             "Bodies/b/Length=1"), []),
     # passages 0.02 and 0.0202, of which the step is the mean; the other rods differ by half of 1e-5 in 100 steps
@@ -184,8 +204,6 @@ START = [
 PULSES = ("Time/Scheme=sdirk4", "Time/Step size=automatic", "Time/End time=0.25")
 HELP = (r": steps do not look for its jumps and pulses \(Time/Break points and "
         r"Time/Maximum step size help them\)")
-ROWS = Path("rows.csv").resolve()
-ROWS.write_text("t,F\n0,0\n0.2,1e-3\n")
 LOADS = [
     (PULSES + ("Sources/Body force=1e-3*sin(1e8*t)",),
      [r"Sources/Body force changes too fast near t = [\d.e-]+ to be seen before "

@@ -10,6 +10,7 @@ follows from what a run has: error-controlled with both fields, cut off within a
 row as a killed run leaves it, temperature alone. What cannot be drawn is refused.
 Exit status 77, "skipped", without matplotlib.
 """
+import argparse
 import contextlib
 import html
 import io
@@ -227,6 +228,11 @@ def check_row(plot):
     dashes = {line.get_label(): line.get_linestyle() for line in panels[0].lines}
     check("row: dashes", len({drawings.looks_of(line) for line in panels[0].lines}) == 6,
           str(dashes))
+    end, times = 0.7, table("row/contacts/a-b.csv")["time"]
+    panels, _ = drawings.panels_of(drawings.figures_of(
+        plot, "row", "--figure", "row", "--end-time", f"{end}")["row"])
+    check("row: end time", {max(line.get_xdata()) for panel in panels for line in panel.lines} == {
+        max(times[times <= end])} and max(times) > end)
     page = io.StringIO()
     before, sys.argv = sys.argv, ["plot", "--report", "row"]
     with contextlib.redirect_stdout(page):
@@ -270,6 +276,17 @@ def check_prefixes(plot):
     _, legend = drawings.panels_of(figures["probes"])
     check("prefix of places", {"probe 1: $x$ = 250 mm", "probe 2: $x$ = 1 m"} <= set(
         legend.values()), str(legend))
+
+
+def check_places():
+    """Two runs whose first probe is at different places, and whose second is at the same one."""
+    import plot_probes
+    runs = [argparse.Namespace(title=title, probes=(
+        [f"probe 1: x = {x}", "probe 2: x = 1"], {"time": [0, 1], **{
+            f"temperature_{i}": [0, i] for i in (1, 2)}})) for title, x in (("one", 0.25), ("two", 0.5))]
+    labels = [handle.get_label() for handle in plot_probes.handles_of(runs, plot_probes.histories_of(runs))]
+    check("places of probes", labels == ["probe 1: $x$ = 0.25 (one)", "probe 2: $x$ = 1",
+                                         "probe 1: $x$ = 0.5 (two)", "one", "two"], str(labels))
 
 
 def check_files(plot):
@@ -409,6 +426,7 @@ def main():
     check_strip(plot)
     check_two_obstacles(plot)
     check_row(plot)
+    check_places()
     check_files(plot)
     check_report()
     check_refusals(plot)

@@ -145,6 +145,10 @@ def check_space_time(directory):
               numpy.array_equal(picture._triangulation.y, mesh.points[:, 1]) and
               (low, high) == bar.get_xlim() and
               (field == "temperature" or low == -high))  # white is 0
+    # one value of 2000 beyond the colours of the others
+    for beyond, word in (((), "neither"), ((-1,), "min"), ((2,), "max"), ((-1, 2), "both")):
+        values = numpy.array([0.] * 1000 + [1.] * 1000 + list(beyond))
+        check(f"colours with {beyond}", paraview_space_time.limits_of(values, "viridis") == (0, 1, word))
 
 
 def check_contact_face(directory):
@@ -162,6 +166,12 @@ def check_contact_face(directory):
         y, values = axes.lines[0].get_data()
         check(f"contact face of {directory}, {field}", set(zip(
             mesh.points[:, 1], mesh.point_data[field].ravel())) == set(zip(y, values)))
+    paraview_contact.draw(path, time, "contact-face.png", 700, {
+        "gap": "m", "stress_end": "Pa", "displacement_end": "m", "time": "s"})
+    labels = [(axes.get_xlabel()[-2:], axes.get_ylabel()) for axes in figures[1].axes]
+    check("contact face: units", [x for x, _ in labels] == ["m]"] * 2 and all(
+        re.search(f"{name}.*\\[.?{unit}\\]$", label) for (_, label), (name, unit) in zip(
+            labels, (("pressure", "Pa"), ("gap", "m")))), labels)
     axes = figures[0].axes[0]
     axes.clear()
     y = numpy.array([0.2, 0.0, 0.1])  # as cells may be written

@@ -139,6 +139,10 @@ def check_warnings(folder):
     check("warnings of a study", told == [text.format(3), text.format(4)] and
           study.warnings == {text.format(3): [1, 3], text.format(4): [2]} and
           list(study.table["warnings"]) == [0, 1, 1, 1], study.warnings)
+    path = folder / "warned/study.csv"  # of a study that has not ended
+    path.write_text("".join(line for line in path.read_text().splitlines(True) if not line.startswith("1,")))
+    found = thermocontact.read(folder / "warned").warnings
+    check("numbers of runs", found == {text.format(3): [3], text.format(4): [2]}, found)
 
 
 def check_ranks(folder):
@@ -161,6 +165,9 @@ def check_errors(folder):
     error = raised(thermocontact.InputError,
                    lambda: thermocontact.run({"Contact/Complianse": 1}))
     check("input error", error and "did you mean Contact/Compliance?" in str(error), error)
+    error = raised(thermocontact.InputError, lambda: thermocontact.run({"Contact/Condition": "thermocontact: x"}))
+    check("all of a message", str(error).startswith(
+        "command line: Contact/Condition = thermocontact: x\n"), error)
     error = raised(thermocontact.InputError, lambda: thermocontact.run({"Mesh/Cells": []}))
     check("no value", error and "[] is no number" in str(error), error)
     error = raised(thermocontact.ComputationError, lambda: thermocontact.run(
@@ -264,6 +271,10 @@ def check_fit():
                                     rel_tol=1e-3), error)
     check("its chi^2", math.isclose(found.chi_square, chi_square, rel_tol=1e-5) and
           found.degrees_of_freedom == len(times) - 1, chi_square)
+    # without deviations the residuals are theirs, of as many numbers but one
+    blind = thermocontact.fit({"Contact/Compliance": 0.6}, {"contact_force": (times, data)}, entries=scene)
+    check("its error from the residuals", math.isclose(
+        blind.errors["Contact/Compliance"], error * math.sqrt(chi_square / (len(times) - 1)), rel_tol=1e-3), blind)
     # d F r/d log(epsilon) = -F r epsilon/(1 + epsilon)
     check("its sensitivities", numpy.allclose(
         found.sensitivities["Contact/Compliance"],

@@ -351,6 +351,12 @@ main_boundaries()
       check_balances<2>("strip, moved" + by, warm + moved + coarse + solver);
       check_balances<2>("strip, pushed" + by, warm + pushed + coarse + solver);
     }
+  check_balances<2>("strip before a mass",
+                    warm + by_law + coarse + direct +
+                      body("bar", {"Kind=rod"}) +
+                      body("ram", {"Kind=mass", "Velocity=-1"}) +
+                      Overrides{"Contact/Gap=0.05"},
+                    false);
   check_balances<3>("block", warm + moved + by_law + coarse + direct);
 
   check_resistances();
@@ -361,6 +367,13 @@ main_boundaries()
   check_work<1>("driven", {"Boundary/left/Displacement=0.1*sin(5*t)"});
   check_work<1>("box, driven",
                 {"Boundary/left/Displacement=0.1*sin(5*t)",
+                 "Time/Scheme=box",
+                 "Model/Viscosity=0"});
+  check_work<1>("box, pulled",
+                {"Boundary/left/Support=free",
+                 "Boundary/left/Traction=-sin(2*t)",
+                 "Boundary/right/Support=free",
+                 "Boundary/right/Traction=0.2*t",
                  "Time/Scheme=box",
                  "Model/Viscosity=0"});
   check_work<1>("pulled at both ends",

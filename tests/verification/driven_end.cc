@@ -162,7 +162,10 @@ namespace
     "Initial values/Temperature=1+x-x^2",
     "Initial values/Displacement=0",
     "Initial values/Velocity=3*(1+x^2/2)",
-    "Sources/Heat source=-2*sin(2*t)*(1+x-x^2)+2*cos(2*t)+1.5*cos(3*t)*x",
+    "Boundary/sides/Heat exchange=2",
+    "Boundary/sides/Surroundings=5",
+    "Sources/Heat source=-2*sin(2*t)*(1+x-x^2)+2*cos(2*t)+1.5*cos(3*t)*x"
+    "+2*((1+x-x^2)*cos(2*t)-5)",
     "Sources/Body force=-9*sin(3*t)*(1+x^2/2)-(sin(3*t)+0.9*cos(3*t))"
     "+0.5*cos(2*t)*(1-2*x)",
     "Boundary/right/Traction=sin(3*t)+0.9*cos(3*t)-0.5*cos(2*t)",

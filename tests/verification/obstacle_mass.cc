@@ -11,7 +11,8 @@
 // 2. A mass that nothing meets: m Y'' + d Y' + k Y = t, with m = 2, k = 8, d =
 //    0.4, t = 0.3 in the mean and Y' = 1 at first: Y = t/k + exp(-c t) (A cos(w
 //    t) + B sin(w t)), c = d/(2 m), w^2 = k/m - c^2. The impulse at the right
-//    end is m (Y' - 1), in boundaries.csv, the work m/2 (Y'^2 - 1).
+//    end is m (Y' - 1), in boundaries.csv, the work m/2 (Y'^2 - 1); the body
+//    has no stress.
 // 3. A mass flies at a block, a round one at its axis, with velocity -0.5: the
 //    impulse of the contact is what the mass gets, m (V + 0.5), and E + D + N -
 //    W is that of the start to 1e-12.
@@ -115,7 +116,7 @@ namespace
                          "Time/End time=3"});
     const double c = 0.1, w = std::sqrt(4. - c * c), rest = 0.3 / 8.;
     const double A = -rest, B = (1. + c * A) / w;
-    double       place = 0., velocity = 0., impulse = 0., work = 0.;
+    double place = 0., velocity = 0., impulse = 0., work = 0., stress = 0.;
     for (const StepRecord &row : result.rows)
       {
         const double decay  = std::exp(-c * row.time),
@@ -128,10 +129,12 @@ namespace
         raise(velocity, std::abs(row.obstacle_velocity - V));
         raise(impulse, std::abs(row.boundaries.impulse_right - 2. * (V - 1.)));
         raise(work, std::abs(row.boundaries.work_right - (V * V - 1.)));
+        raise(stress, std::abs(row.stress_end));
       }
     deallog << "oscillator: " << within(place, 1e-9) << ", "
             << within(velocity, 1e-9) << ", impulse " << within(impulse, 1e-8)
-            << ", work " << within(work, 1e-8) << std::endl;
+            << ", work " << within(work, 1e-8) << ", stress of the body "
+            << within(stress, 1e-12) << std::endl;
   }
 
 

@@ -38,7 +38,9 @@
 //    to 2. Two rods that exchange no heat rest at 2 and 5, which their ends
 //    have: energy, work and dissipation are 0 on cells of any degree. Three
 //    masses side by side at 1, 0 and 0, k = 2 by a law: the last one is at
-//    1/3 - exp(-2 t)/2 + exp(-6 t)/6, with the order 2 of the scheme box.
+//    1/3 - exp(-2 t)/2 + exp(-6 t)/6, with the order 2 of the scheme box. Two
+//    masses, at 1 and 0, with k = 1 + 10 (t - 1/10) from t = 1/10 on differ by
+//    exp(-0.8) at t = 3/10.
 // 8. Two rods between walls that press on each other and exchange heat by
 //    k(p) = 1/(1 - 12 (p - 1)), diffusivities 1 and 0.1, a = K = E = 1, no
 //    inertia, no thermoelastic heating, q = 1: disturbances grow like
@@ -56,15 +58,21 @@
 //    d = pi sqrt(m eps), with the force w sqrt(m/eps) and the impulse 2 m w. By
 //    sdirk4 with a tolerance of 1e-8, whose steps end at each event; by box to
 //    its order 2, impulses to rounding. Laws with an exponent, damping and a
-//    dashpot of their own are those of section Contact, to rounding. The mirror
-//    image of three rods with such laws has the same forces, by box to
+//    dashpot of their own, or a compliance alone, are those of section Contact,
+//    to rounding. The deepest penetration is the last, w sqrt(m eps). The
+//    mirror image of three rods with such laws has the same forces, by box to
 //    rounding, by sdirk4 to rounding that events multiply: a thousandth of its
 //    tolerance.
 // 11. Key results of a row. A mass that runs with 1 into a spring 0.1 away is
 //    there from t = 0.1 on, 1 at t = 1.1, to 1e-7: the obstacle with nothing
 //    behind, or a mass at rest before a far obstacle. The middle of a row is
 //    that of its length, in the second of two rods of 1/4 and 3/4, which fly
-//    apart with 1 and 2: displacement_mid is 2 t; mirrored it is -2 t.
+//    apart with 1 and 2: displacement_mid is 2 t; mirrored it is -2 t. Two
+//    masses 1 that press on each other with the overlap 0.1 of a spring 1 part
+//    after a quarter of the period of their reduced mass, pi/2 (1/2)^(1/2);
+//    they are the second and the third of a row. The force x per mass b = 1
+//    moves a mass at x = 3/2, behind a rod of length 1 and a gap of 1/2, with
+//    the acceleration 3/2.
 
 #include <thermocontact/report/key_results.h>
 
@@ -453,6 +461,25 @@ namespace
     deallog << "masses, k by a law: theta " << within(errors[0], 2e-5)
             << ", order at least 2 "
             << (errors[0] > 3.5 * errors[1] ? "yes" : "no") << std::endl;
+    const StepRecord behind =
+      run<1>("",
+             body("a", {"Kind=mass", "Temperature=1"}) +
+               body("b", {"Kind=mass"}) +
+               Overrides{"Boundary/left/Temperature=none",
+                         "Boundary/left/Support=free",
+                         "Boundary/right/Heat exchange="
+                         "if(gap>1,0,if(t<=0.1,0,1+10*(t-0.1)))",
+                         "Contact/Gap=100",
+                         "Contacts/a b/Gap=0",
+                         "Time/Scheme=box",
+                         "Time/Step size=0.05",
+                         "Time/End time=0.3"})
+        .rows.back();
+    deallog << "masses, k that jumps and grows: theta "
+            << within(std::abs(behind.temperature_end - 0.5 +
+                               0.5 * std::exp(-0.8)),
+                      1e-3)
+            << std::endl;
   }
 
 
@@ -512,6 +539,52 @@ namespace
 
 
 
+  /** Masses b and c that press on each other at the start, a is far. */
+  void
+  check_preload()
+  {
+    const RecordedRun result =
+      run<1>("",
+             free_ends + elastic + body("a", {"Kind=mass"}) +
+               body("b", {"Kind=mass"}) + body("c", {"Kind=mass"}) +
+               Overrides{"Contacts/a b/Gap=10",
+                         "Contacts/b c/Gap=-0.1",
+                         "Contact/Compliance=1",
+                         "Time/Scheme=sdirk4",
+                         "Time/Tolerance=1e-8",
+                         "Time/End time=2"});
+    unsigned int n_of_them = 0;
+    for (const ContactEvent &event : result.events)
+      n_of_them += event.contact == 1;
+    deallog << "preload: events " << result.events.size() << ", of b and c "
+            << n_of_them << ", apart at "
+            << within(std::abs(result.events.back().time -
+                               0.5 * dealii::numbers::PI * std::sqrt(0.5)),
+                      1e-7)
+            << std::endl;
+  }
+
+
+
+  /** A force x on a mass behind a gap. */
+  void
+  check_force_on_mass()
+  {
+    const RecordedRun result =
+      run<1>("",
+             free_ends + elastic + body("a", {"Length=1"}) +
+               body("b", {"Kind=mass", "Mass=0.3"}) +
+               Overrides{"Contacts/a b/Gap=0.5",
+                         "Sources/Body force=x",
+                         "Time/Scheme=sdirk4",
+                         "Time/End time=1"});
+    deallog << "force on a mass: velocity "
+            << within(std::abs(result.rows.back().velocity_end - 1.5), 1e-12)
+            << ", events " << result.events.size() << std::endl;
+  }
+
+
+
   void
   check_rattling_rods()
   {
@@ -565,19 +638,39 @@ namespace
 
 
 
+  const Overrides own_laws = {"Contact/Compliance=0.09",
+                              "Contacts/a b/Compliance=0.04",
+                              "Contacts/b c/Compliance=0.01"};
+
+
+
+  /** The largest penetration is the last. */
+  void
+  check_penetration()
+  {
+    Simulation<1> simulation(read_parameters("",
+                                             three_masses("sdirk4") + own_laws),
+                             MPI_COMM_SELF);
+    simulation.run();
+    const double last = 0.5 * std::sqrt(3. * 0.09);
+    deallog << "own laws, penetration "
+            << within(std::abs(simulation.history().max_penetration / last -
+                               1.),
+                      1e-3)
+            << std::endl;
+  }
+
+
+
   void
   check_own_laws(const std::string &scheme, const double bound)
   {
-    const RecordedRun result =
-      run<1>("",
-             three_masses(scheme) + Overrides{"Contact/Compliance=0.09",
-                                              "Contacts/a b/Compliance=0.04",
-                                              "Contacts/b c/Compliance=0.01"});
-    const double pi     = dealii::numbers::PI;
-    const double first  = pi * std::sqrt(0.5 * 0.04);
-    const double second = pi * std::sqrt(0.75 * 0.01);
-    const double third  = pi * std::sqrt(3. * 0.09);
-    const double meet   = 1. + 0.5 * first;
+    const RecordedRun result = run<1>("", three_masses(scheme) + own_laws);
+    const double      pi     = dealii::numbers::PI;
+    const double      first  = pi * std::sqrt(0.5 * 0.04);
+    const double      second = pi * std::sqrt(0.75 * 0.01);
+    const double      third  = pi * std::sqrt(3. * 0.09);
+    const double      meet   = 1. + 0.5 * first;
     // the way of the centre of b and c during their contact, and so of both
     const double x       = 0.25 * second;
     const double back    = meet + second + (1. + x - 0.5 * first) / 0.5;
@@ -653,26 +746,35 @@ namespace
 
 
 
-  /** Laws of their own and the same law for all. */
+  /** Laws of their own, all of them or their compliances, and the same law for
+   * all. */
   void
   check_same_laws(const std::string &scheme)
   {
     const Overrides condition = {"Contact/Condition=power law"};
-    const Overrides all       = {"Contact/Compliance=0.02",
-                                 "Contact/Exponent=1.5",
+    const Overrides rest      = {"Contact/Exponent=1.4",
                                  "Contact/Damping=0.3",
                                  "Contact/Dashpot=0.2"};
-    Overrides       own;
+    const Overrides all       = Overrides{"Contact/Compliance=0.02"} + rest;
+    Overrides       own, in_part = rest;
     for (const std::string pair : {"a b", "b c"})
-      for (const std::string &one : all)
-        own.push_back("Contacts/" + pair + one.substr(one.find('/')));
+      {
+        for (const std::string &one : all)
+          own.push_back("Contacts/" + pair + one.substr(one.find('/')));
+        in_part.push_back("Contacts/" + pair + "/Compliance=0.02");
+      }
     const Overrides   apart = {"Boundary/right/Support=free"};
     const RecordedRun one =
       run<1>("", three_masses(scheme) + condition + apart + all);
     const RecordedRun two =
       run<1>("", three_masses(scheme) + condition + apart + own);
+    const RecordedRun three =
+      run<1>("", three_masses(scheme) + condition + apart + in_part);
     deallog << "the same laws, " << scheme << ": "
             << within(difference(table_of(one.rows), table_of(two.rows)), 1e-12)
+            << ", in part "
+            << within(difference(table_of(one.rows), table_of(three.rows)),
+                      1e-12)
             << ", events " << one.events.size() << ' ' << two.events.size()
             << std::endl;
   }
@@ -764,9 +866,12 @@ main_rows()
   check_resistances();
   check_masses_by_law();
   check_key_results();
+  check_preload();
+  check_force_on_mass();
   check_rattling_rods();
   check_own_laws("box", 2e-5);
   check_own_laws("sdirk4", 1e-7);
+  check_penetration();
   check_same_laws("box");
   check_same_laws("sdirk4");
   check_mirrored_laws("box", 1e-10);

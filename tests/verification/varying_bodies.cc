@@ -35,7 +35,8 @@
 //    the same; layers with free sides whose Y/(1 - nu^2) is the same, Y_0, are
 //    all strained by e = T/Y_0, and get thinner by nu/(1 - nu) e.
 // 10. The mesh: lines at y = 0.02 and 0.07, at x = 0.3; an oblique jump is
-//    doubted; jumps on the faces of the body make no cells.
+//    doubted; jumps on the faces of the body make no cells. A kink at y = 0.03
+//    is one for cells of degree 2, two below it and four above.
 
 #include <thermocontact/space/load_scan.h>
 #include <thermocontact/space/point_values.h>
@@ -605,12 +606,16 @@ namespace
   // ----------------------------------------------------------- 10. meshes
 
   void
-  check_mesh(const std::string &name, const std::string &stiffness)
+  check_mesh(const std::string &name,
+             const std::string &stiffness,
+             const unsigned int degree = 1)
   {
-    const Scene              scene(read_parameters(
-      "",
-      dimension(2) + body("plate", {"Stiffness=" + stiffness}) +
-        Overrides{"Mesh/Cells=4", "Mesh/Cells across=6", "Mesh/Degree=1"}));
+    const Scene scene(
+      read_parameters("",
+                      dimension(2) + body("plate", {"Stiffness=" + stiffness}) +
+                        Overrides{"Mesh/Cells=4",
+                                  "Mesh/Cells across=6",
+                                  "Mesh/Degree=" + std::to_string(degree)}));
     const ProblemData<2>     data(scene);
     std::vector<std::string> warnings;
     load_history<2>(scene, data, warnings);
@@ -677,4 +682,6 @@ main_varying_bodies()
   check_mesh("inclusion", "if(x<0.5 && y<0.05,3,1)");
   check_mesh("oblique", "if(y<0.05+0.01*x,2,1)");
   check_mesh("jumps on faces", "if(x<1,1,2)*if(y>0,1,2)+if(x<1-1e-12,1,0)");
+  for (const unsigned int degree : {1, 2})
+    check_mesh("kink", "1+abs(y-0.03)", degree);
 }

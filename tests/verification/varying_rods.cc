@@ -8,7 +8,7 @@
 //    at x = 0.45 is f exp(0.45). The mesh of 3 linear cells, whose stiffness is
 //    that of the parts in series, has it exactly at its nodes, too. Without
 //    inertia, zeta = 1/2 and four times that in the right half, f starts with
-//    v(1) = f/zeta (1/2 + 1/8).
+//    v(1) = f/zeta (1/2 + 1/8); where A = 2 the stress is f/2 at once.
 // 2. Cone A = (1 + x)^2, clamped on the left, free on the right, b = 1:
 //    u = sin(w x)/(1 + x) cos(w t) with tan(w) = 2 w: sdirk4 with cells of
 //    degree 4 to the tolerance; box of order 2.
@@ -16,7 +16,8 @@
 //    resistance 0.56 + 1, theta(1) = 10/1.56, which cells across a jump would
 //    miss; A = 1 + x, K = 1: log(2) + 1/k, where the exchange at the right end
 //    is per area of the scene; with sides that exchange m A (theta_s - theta)
-//    and nothing else all of the rod comes to theta_s.
+//    and nothing else all of the rod comes to theta_s. A source 1 per volume
+//    warms an insulated rod with A = 1 + x and c = 2 by t/2.
 // 4. E = 1 + x, density 1/(1 + x): no wave is reflected within the rod. Free,
 //    velocity 1, at a rigid obstacle: p = 1 for the time 2 log(2), then it
 //    flies back with velocity -1. All cells are passed in the same time.
@@ -100,7 +101,23 @@ namespace
                free_right + body("bar", {"Viscosity=if(x<0.5,1,4)", "Cells=2"}))
         .rows.front();
     deallog << "viscous: v(1) "
-            << within(std::abs(pulled.velocity_end - 0.125), 1e-11)
+            << within(std::abs(pulled.velocity_end - 0.125), 1e-11);
+    Simulation<1> taper(
+      read_parameters("",
+                      Overrides{"Model/Fields=displacement",
+                                "Model/Inertia=0",
+                                "Model/Viscosity=0.5",
+                                "Boundary/right/Traction="
+                                "0.1",
+                                "Time/End time=0"} +
+                        free_right +
+                        body("bar", {"Section=if(x<0.5,1,2)", "Cells=2"})),
+      MPI_COMM_SELF);
+    PointValues<1> there(taper.body().scene,
+                         taper.body().discretization,
+                         {{Point<1>(0.75), Point<1>(0.75)}});
+    const double stress = there.evaluate(taper.state())[PointValues<1>::stress];
+    deallog << ", stress " << within(std::abs(stress - 0.05), 1e-11)
             << std::endl;
   }
 
@@ -169,6 +186,17 @@ namespace
       Overrides{"Model/Inertia=0", "Boundary/right/Heat exchange=1+0*t"});
     deallog << "flux of the right end "
             << within(std::abs(flux.heat_flux_end - 10. / 1.56), 1e-8)
+            << std::endl;
+    const StepRecord heated =
+      run<1>("",
+             body("rod", {"Section=1+x", "Heat capacity=2"}) + thermal +
+               Overrides{"Boundary/left/Temperature=none",
+                         "Boundary/right/Heat exchange=0",
+                         "Sources/Heat source=1",
+                         "Time/End time=3"})
+        .rows.back();
+    deallog << "heat source: "
+            << within(std::abs(heated.temperature_end - 1.5), 1e-11)
             << std::endl;
     for (const std::string degree : {"1", "4"})
       deallog
