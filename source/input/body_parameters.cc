@@ -81,14 +81,14 @@ namespace ThermoContact
     entry("Stiffness", stiffness.value, stiffness.expression, coefficient)
       .means("Young's modulus over that one.");
     entry("Poisson ratio", poisson_ratio, poisson)
-      .means("Poisson ratio nu, for Dimension > 1; none: of section Model or "
-             "Rod.");
+      .means("Poisson ratio nu at the same E and alpha, for Dimension > 1; "
+             "none: of section Model.");
     entry("Density", density.value, density.expression, in_body)
       .means("Density over that one.");
     entry("Viscosity", viscosity.value, viscosity.expression, zero_too)
       .means("Viscosity zeta over that one: stress is E (u_x + zeta u_xt).");
     entry("Coupling", coupling.value, coupling.expression, any)
-      .means("Thermoelastic coupling a over that one.");
+      .means("Thermoelastic coupling a, E alpha, over that one.");
     entry("Conductivity",
           conductivity.value,
           conductivity.expression,

@@ -203,8 +203,9 @@ namespace ThermoContact
     const Coefficient &one = all[name];
     if (!one.expression)
       return Number(one.number);
-    const Number result = one.expression->evaluate(variables.data());
-    const double value  = plain_value(result);
+    const Number result    = one.expression->evaluate(variables.data());
+    const double value     = plain_value(result);
+    const bool   is_number = parse_number(one.expression->text()).has_value();
     if (!std::isfinite(value) || value < one.lower || value >= one.upper ||
         (!one.may_be_lower && value == one.lower))
       throw InputError(text(one.expression->path(),
@@ -212,11 +213,12 @@ namespace ThermoContact
                             one.expression->text(),
                             ": ",
                             significant(value, 6),
-                            place_in_words(one, variables),
+                            is_number ? "" : place_in_words(one, variables),
                             "\n  allowed: ",
                             one.allowed,
-                            "\n  remedy:  an expression that has them in the "
-                            "whole body",
+                            is_number ? "\n  remedy:  one of them" :
+                                        "\n  remedy:  an expression that has "
+                                        "them in the whole body",
                             one.expression->depends_on("theta") ?
                               ", at all of its temperatures" :
                               ""));
@@ -241,14 +243,19 @@ namespace ThermoContact
       return (one - nu) / ((one + nu) * (one - two * nu));
     };
     const Number A = of(section), nu = of(poisson_ratio);
-    Number       E = of(stiffness);
+    Number       E = of(stiffness), a = of(coupling);
     if (all[poisson_ratio].expression)
-      E = E * p_wave_factor(nu) /
-          p_wave_factor(Number(all[poisson_ratio].number));
+      {
+        const Number of_model(all[poisson_ratio].number);
+        E = E * p_wave_factor(nu) / p_wave_factor(of_model);
+        // E alpha/(1 - 2 nu)
+        a = a * (Number(1.) - Number(2.) * of_model) /
+            (Number(1.) - Number(2.) * nu);
+      }
     return {{A,
              A * of(heat_capacity),
              A * of(conductivity),
-             A * of(coupling),
+             A * a,
              A * of(density),
              A * E,
              A * E * of(viscosity),

@@ -731,6 +731,20 @@ namespace ThermoContact
 
 
 
+    void
+    check_heat_capacity(const BodyParameters &body)
+    {
+      const std::string path = "Bodies/" + body.name;
+      Refusal{path + "/Heat capacity",
+              body.heat_capacity.expression,
+              "a number"}
+        .since(body.is_mass() && !body.heat_capacity.expression.empty(),
+               path + "/Kind = mass, which has one temperature",
+               "its heat capacity as a number");
+    }
+
+
+
     /** Entries that neither a row nor a mass as the obstacle can have. */
     void
     check_entries_beside_bodies(const Scene &scene, const std::string &reason)
@@ -807,6 +821,7 @@ namespace ThermoContact
          mass->displacement,
          "0",
          "Contact/Gap, its distance at the start");
+      check_heat_capacity(*mass);
       no(!parse_number(mass->temperature),
          path + "/Temperature",
          mass->temperature,
@@ -1063,12 +1078,7 @@ namespace ThermoContact
       for (const BodyParameters &body : parameters.row.bodies)
         {
           const std::string path = "Bodies/" + body.name;
-          Refusal{path + "/Heat capacity",
-                  body.heat_capacity.expression,
-                  "a number"}
-            .since(body.is_mass() && !body.heat_capacity.expression.empty(),
-                   path + "/Kind = mass, which has one temperature",
-                   "its heat capacity as a number");
+          check_heat_capacity(body);
           Refusal{path + "/Kind", "mass", "rod"}.since(
             body.is_mass() && scene.fields.has_displacement &&
               !scene.material.has_inertia(),

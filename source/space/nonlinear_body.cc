@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/collective.h>
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/space/cell_matrices.h>
 #include <thermocontact/space/massless_contact.h>
 #include <thermocontact/space/nonlinear_body.h>
@@ -148,6 +150,7 @@ namespace ThermoContact
     std::vector<types::global_dof_index> dofs(n);
     std::vector<double>                  value(n), rate(n);
     auto                                 next = known.begin();
+    std::string                          fault; // of this rank
     for_each_cell([&](const Cell &cell) {
       cell->get_dof_indices(dofs);
       for (unsigned int i = 0; i < n; ++i)
@@ -174,15 +177,24 @@ namespace ThermoContact
                   point.strain.add(value[i], f.strain);
                   point.strain_rate.add(rate[i], f.strain);
                 }
-              point.beyond = discretization.material()->tangents(next->place,
-                                                                 point.theta,
-                                                                 &next->values);
-              point.beyond.value -= next->in_equations;
+              try
+                {
+                  point.beyond =
+                    discretization.material()->tangents(next->place,
+                                                        point.theta,
+                                                        &next->values);
+                  point.beyond.value -= next->in_equations;
+                }
+              catch (const InputError &error)
+                {
+                  fault = error.what();
+                }
               (*at)(point);
             }
         }
       at_cell(cell);
     });
+    throw_first<InputError>(fault, discretization.communicator());
   }
 
 

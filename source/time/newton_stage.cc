@@ -86,9 +86,9 @@ namespace ThermoContact
     {
       double change = 0., size = 0.;
     };
-    const auto part = [tau](const Vector &values,
-                            const Vector &rate,
-                            const Vector &last) {
+    const auto part = [&](const Vector &values,
+                          const Vector &rate,
+                          const Vector &last) {
       Part result;
       for (unsigned int i = 0; i < rate.locally_owned_size(); ++i)
         {
@@ -99,6 +99,10 @@ namespace ThermoContact
           result.size = std::max(
             {result.size, std::abs(values.local_element(i)), std::abs(moved)});
         }
+      // all ranks go on alike
+      const MPI_Comm communicator = body.discretization.communicator();
+      result.change = Utilities::MPI::max(result.change, communicator);
+      result.size   = Utilities::MPI::max(result.size, communicator);
       return result;
     };
     const Part heat =

@@ -36,6 +36,7 @@ SCENES = [
     # the mass
     ("Bodies/b/Velocity", RAM, "Bodies/b/Velocity=x", "Bodies/b/Velocity=-1"),
     ("Bodies/b/Displacement", RAM, "Bodies/b/Displacement=0.1", "Bodies/b/Displacement=0"),
+    ("Bodies/b/Heat capacity", RAM, "Bodies/b/Heat capacity=1+x", "Bodies/b/Heat capacity=2"),
     ("Bodies/b/Temperature", RAM, "Bodies/b/Temperature=x", "Bodies/b/Temperature=1"),
     ("Boundary/right/Heat exchange", RAM, "Boundary/right/Heat exchange=1+theta", "Boundary/right/Heat exchange=1+gap"),
     ("Model/Inertia", RAM, "Model/Inertia=0", "Model/Inertia=0.1"),
