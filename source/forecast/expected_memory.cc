@@ -140,7 +140,7 @@ namespace ThermoContact
     const double n_points   = std::pow(parameters.mesh.degree + 1., dim),
                  n_in_cell  = (dim + 1.) * n_points;
     const double integrals =
-      6e-9 * n_points * n_in_cell * n_in_cell * parameters.mesh.n_cells(dim);
+      4e-9 * n_points * n_in_cell * n_in_cell * parameters.mesh.n_cells(dim);
     return seconds_of_process + 3e-5 * n +
            n_made * (factors + n_responses * stage) + n_stages * stage +
            n_tangents * (factors + integrals);

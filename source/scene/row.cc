@@ -70,7 +70,7 @@ namespace ThermoContact
     const auto      beyond =
       beyond_zero(number, {of_rod(number, x, theta), {}}, of_rod(number, x))
         .value;
-    // what the stress is made of
+    // the stress alone
     result.coupling += beyond.coupling;
     result.stiffness += beyond.stiffness;
     result.viscosity += beyond.viscosity;

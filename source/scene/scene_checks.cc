@@ -745,7 +745,8 @@ namespace ThermoContact
 
 
 
-    /** Entries that neither a row nor a mass as the obstacle can have. */
+    /** Entries refused to rows, masses that are obstacles, and coefficients of
+     * theta. */
     void
     check_entries_beside_bodies(const Scene &scene, const std::string &reason)
     {

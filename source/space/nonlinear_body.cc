@@ -71,7 +71,7 @@ namespace ThermoContact
     Tensor<1, dim> gradient{};
     Strain         strain{}, strain_rate{};
 
-    /** Of these coefficients. */
+    /** Of these coefficients, nondimensional, tension positive. */
     SymmetricTensor<2, 3>
     stress(const RodCoefficients &of) const
     {
@@ -109,11 +109,12 @@ namespace ThermoContact
           points->reinit(cell);
           for (const auto &place : points->get_quadrature_points())
             {
-              const auto inside = discretization.inside(cell, place);
+              const auto inside  = discretization.inside(cell, place);
+              const auto at_zero = discretization.of_material(cell, place);
               known.push_back({inside,
                                discretization.material()->values(inside),
-                               discretization.of_material(cell, place),
-                               discretization.elasticity(cell, place)});
+                               at_zero,
+                               elasticity_of(at_zero.poisson_ratio)});
             }
         }
     });
@@ -183,7 +184,7 @@ namespace ThermoContact
                     discretization.material()->tangents(next->place,
                                                         point.theta,
                                                         &next->values);
-                  point.beyond.value -= next->in_equations;
+                  point.beyond.value -= next->at_zero;
                 }
               catch (const InputError &error)
                 {

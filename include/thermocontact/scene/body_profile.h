@@ -77,7 +77,7 @@ namespace ThermoContact
       return all.tangents({{place[1], place[2], theta, place[0]}}, known);
     }
 
-    /** Where the mesh has nodes, along the body and across it. */
+    /** Where cells end, sorted: x, then y and z as one list; nondimensional. */
     const std::array<std::vector<double>, 2> &
     planes() const
     {

@@ -31,9 +31,9 @@ namespace ThermoContact
   }
 
   /** Factors of the terms of the equations in a body of section Bodies,
-   * (M10.1), with the section A of a rod, which is 1 in two and three
-   * dimensions, and the Poisson ratio of a body that has one of its own;
-   * stiffness and viscosity are factors of P-wave moduli. */
+   * (M10.1), (M10.9), each times the section A of a rod, 1 for dim > 1:
+   * stiffness $AE$ and viscosity $AE\zeta$ over P-wave moduli. The Poisson
+   * ratio is of profiles alone. */
   struct RodCoefficients
   {
     double section = 0., heat_mass = 0., conduction = 0., coupling = 0.,

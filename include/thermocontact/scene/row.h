@@ -86,8 +86,8 @@ namespace ThermoContact
   /**
    * Rods and masses along x as one mesh: bodies are parts of it, and the gaps
    * between them cells without any coefficient, across which contact acts. All
-   * equations, states and sums are then those of one body. Empty: the scene has
-   * the one rod of section Model.
+   * equations, states and sums are then those of one body. Empty: the scene
+   * has one body, not in a row.
    */
   struct BodyRow
   {
@@ -111,14 +111,16 @@ namespace ThermoContact
       return is_given() ? bodies.back().end : 1.;
     }
 
-    /** The coefficients of the equations at a place of a cell, */
+    /** Coefficients of the equations in a cell, @p x in the row; of a cell with
+     * means heat and conduction are those at $\theta=0$. */
     RodCoefficients
     in_equations(const unsigned int cell,
                  const double       x,
                  const double       theta = 0.) const;
 
-    /** and of the rod itself, where the cell has their means, (M10.7), or where
-     * the temperature is not zero, (M10.8). */
+    /** Coefficients of the rod there, (M10.7), (M10.8).
+     *
+     * @throw InputError if a value is not allowed */
     RodCoefficients
     of_rod(const unsigned int cell,
            const double       x,

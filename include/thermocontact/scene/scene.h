@@ -174,7 +174,7 @@ namespace ThermoContact
               ambient_temperature};
     }
 
-    /** The largest difference of the temperatures around the body. */
+    /** The largest difference to the temperature of the left end. */
     double
     temperature_range() const
     {

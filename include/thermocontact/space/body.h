@@ -60,8 +60,8 @@ namespace ThermoContact
     /** Null where no coefficient depends on the temperature. */
     const std::unique_ptr<const NonlinearTerms<dim>> nonlinear;
 
-    /** The law of the obstacle in front; contacts of a row may have their own
-     * numbers, SceneContact::law_at(). */
+    /** The law of the obstacle in front; contacts of a row may have their own,
+     * SceneContact::law_at(). */
     const ContactLaw &
     law() const
     {

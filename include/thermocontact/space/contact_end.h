@@ -179,7 +179,7 @@ namespace ThermoContact
                      const double       value,
                      Vector            &load) const;
 
-    /** Mean over the contact end of a field with these nodal values. */
+    /** Mean of nodal values over the contact end; of a row their sum. */
     double
     mean(const std::vector<double> &values) const;
 

@@ -296,7 +296,9 @@ namespace ThermoContact
       return owned_by_block_[field].n_elements() - degree();
     }
 
-    /** Nodes in gaps, which mean nothing, become zero. */
+    /** Inner nodes of gaps, and all of an obstacle that has a mass, become
+     * zero.
+     */
     void
     set_zero_in_gaps(State &state) const;
 

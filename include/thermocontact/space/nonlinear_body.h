@@ -49,12 +49,12 @@ namespace ThermoContact
     struct Known
     {
       std::array<double, 3>        place;
-      MaterialCoefficients::Values values; ///< at $\theta=0$
-      RodCoefficients              in_equations;
+      MaterialCoefficients::Values values;  ///< at $\theta=0$
+      RodCoefficients              at_zero; ///< likewise
       Elasticity                   elasticity;
     };
 
-    /** Of the cells of this rank, of the mass and then of the others. */
+    /** For each cell of this rank its points of the mass, then the others. */
     std::vector<Known> known;
 
     /** A point, and the body there. */
@@ -70,8 +70,8 @@ namespace ThermoContact
     void
     for_each_cell(const AtCell &action) const;
 
-    /** Calls the functions at all points of each cell, those of the mass and
-     * all others, and after these for the cell. */
+    /** Calls the functions at the points of the mass, then at the others of
+     * each cell, then for it. Collective; throws as subtract(). */
     void
     visit(const Instant &instant,
           const AtPoint &at_mass,

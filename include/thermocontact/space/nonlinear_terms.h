@@ -12,9 +12,9 @@
 namespace ThermoContact
 {
   /**
-   * What coefficients that depend on the temperature add to the equations,
-   * (M10.8). The matrices of the body have the coefficients at $\theta=0$; the
-   * difference is here, integrated with the rules of the matrices:
+   * Terms of coefficients that depend on the temperature, (M10.8). The matrices
+   * of the body have the coefficients at $\theta=0$; the difference is here,
+   * integrated with the rules of the matrices:
    * @f[
    *   R_\theta = \int (c-c_0)\theta'\eta + (K-K_0)\nabla\theta\cdot\nabla\eta
    *     + (a-a_0)\,\mathrm{div}\,v\,\eta, \quad
@@ -31,8 +31,8 @@ namespace ThermoContact
   public:
     virtual ~NonlinearTerms() = default;
 
-    /** The body at an instant; velocities and rates with those of its ends.
-     * Empty vectors are zero. */
+    /** The body at an instant; rates include those of driven ends. Empty
+     * vectors are zero. */
     struct Instant
     {
       const Vector &temperature;
@@ -44,7 +44,8 @@ namespace ThermoContact
     /**
      * @p heat $-=R_\theta$, @p momentum $-=R_u$. Collective.
      *
-     * @throw InputError if a coefficient has a value that is not allowed
+     * @throw InputError on all ranks if a value is not allowed; heat and
+     *   momentum mean nothing then
      */
     virtual void
     subtract(const Instant &instant, Vector &heat, Vector &momentum) const = 0;
@@ -52,9 +53,9 @@ namespace ThermoContact
     using Operator = ThermoviscoelasticOperator<dim>;
 
     /**
-     * subtract(), and the equations with all derivatives of $R$, those in
-     * $\theta$ and $u$ as conduction, stiffness and thermal stress, so that
-     * they make the tangent of a stage as the matrices make the stage. The
+     * subtract(), and the equations with the derivatives of $R$ added, in
+     * $\theta$ and $u$ to conduction, stiffness and thermal stress:
+     * stage_coefficients() give the tangent of a stage. Collective. The
      * derivative of the stress in the temperature is left out where there is no
      * thermal stress: the temperature is then known before the motion.
      *
@@ -63,14 +64,14 @@ namespace ThermoContact
     virtual std::unique_ptr<const Operator>
     linearize(const Instant &instant, Vector &heat, Vector &momentum) const = 0;
 
-    /** The equations with the coefficients at this temperature. */
+    /** The equations at this temperature; throws as subtract(). Collective. */
     virtual std::unique_ptr<const Operator>
     at(const Vector &temperature) const = 0;
   };
 
 
 
-  /** A component of the integrand of $R_u$. */
+  /** A component of the stress in $R_u$, nondimensional, tension positive. */
   inline double
   added_stress(const Material        &material,
                const RodCoefficients &beyond,
