@@ -125,9 +125,15 @@ namespace ThermoContact
         cannot_read(
           "an operator is missing before " + next_word() +
           (left == ':' ? "; ranges, for Study/Vary, are 1 .. 2 (7)" : ""));
-      if (parts.back().kind == Part::table && !names.units.empty())
+      // a sign changes no unit; a factor may have one
+      const Part *last = &parts.back();
+      while (last->operation == find_operation("-") &&
+             parts[last->operands[0]].kind == Part::number &&
+             parts[last->operands[0]].value == 0.)
+        last = &parts[last->operands[1]];
+      if (last->kind == Part::table && !names.units.empty())
         {
-          const MeasuredTable &table = *tables[parts.back().operands[1]];
+          const MeasuredTable &table = *tables[last->operands[1]];
           check_unit(table, table.unit_of_values, names.units.back());
         }
     }

@@ -137,11 +137,11 @@ namespace ThermoContact
 
 
 
-    /** "12,345", which may be meant as a number of thousands. */
+    /** "12,345" or "12.345", which may be meant as a number of thousands. */
     bool
     may_have_thousands(const std::string &cell)
     {
-      const auto comma     = cell.find(',');
+      const auto comma     = cell.find_first_of(",.");
       const auto first     = cell.find_first_of("123456789");
       const auto is_digits = [&](const std::size_t begin,
                                  const std::size_t end) {
@@ -161,6 +161,17 @@ namespace ThermoContact
       if (separator != ',' && cell.find('.') == std::string::npos)
         std::replace(cell.begin(), cell.end(), ',', '.');
       return parse_number(cell);
+    }
+
+
+
+    /** An error of a spreadsheet, "#NV", "#DIV/0!", in its first cell. */
+    bool
+    begins_with_error(const std::string &cell)
+    {
+      return cell.size() > 2 && cell[0] == '#' &&
+             cell.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ/0!?", 1) ==
+               std::string::npos;
     }
 
 
@@ -261,16 +272,28 @@ namespace ThermoContact
     unsigned int         n_lines = 0, index = 1;
     char                 separator = ',';
     std::vector<double>  written; // arguments in the unit of the file
-    // a cell with a comma of each column
+    // a cell of each column whose comma or point may have either meaning
     std::map<unsigned int, std::string> thousands, decimals;
+    std::string                         with_comma, with_point; // of any
     for (std::string line; std::getline(text, line);)
       {
         ++n_lines;
-        if (trim(line).empty() || trim(line)[0] == '#')
+        if (trim(line).empty())
           continue;
-        if (header.empty())
-          separator = separator_of(line);
         std::vector<std::string> cells = split_line(line, separator);
+        const bool is_error = !header.empty() && begins_with_error(cells[0]);
+        if (trim(line)[0] == '#' && !is_error)
+          continue;
+        if (!header.empty() &&
+            std::all_of(cells.begin(), cells.end(), [](const auto &cell) {
+              return cell.empty();
+            }))
+          continue; // a spreadsheet's last rows
+        if (header.empty())
+          {
+            separator = separator_of(line);
+            cells     = split_line(line, separator);
+          }
         if (header.empty())
           {
             take_empty_end(cells);
@@ -288,8 +311,20 @@ namespace ThermoContact
                        n_lines);
               }
             if (!column.empty())
-              index =
-                std::find(names.begin(), names.end(), column) - names.begin();
+              {
+                // the whole cell, where several columns have the name
+                const auto whole =
+                  std::find(cells.begin(), cells.end(), column);
+                index = whole != cells.end() ?
+                          whole - cells.begin() :
+                          std::find(names.begin(), names.end(), column) -
+                            names.begin();
+                if (std::count(names.begin(), names.end(), column) > 1 ||
+                    std::count(cells.begin(), cells.end(), column) > 1)
+                  fail("several columns are called '" + quote(column) + "'",
+                       n_lines,
+                       "another name for each, or the name with its unit");
+              }
             if (index >= header.size())
               fail(column.empty() ? "one column, where ',', ';' or a tab "
                                     "separates columns" :
@@ -332,7 +367,17 @@ namespace ThermoContact
                    "remove the row, of which there is no measurement; numbers "
                    "have no separators of thousands, and a decimal comma only "
                    "where ';' or a tab separates columns");
-          if (cells[i].find(',') != std::string::npos)
+          std::string unused;
+          const bool  has_comma = cells[i].find(',') != std::string::npos,
+                     has_point  = separator != ',' &&
+                                 cells[i].find('.') != std::string::npos;
+          (has_comma ? with_comma : has_point ? with_point : unused) = cells[i];
+          if (!with_comma.empty() && !with_point.empty())
+            fail("'" + quote(with_point) + "' with a point, '" +
+                   quote(with_comma) + "' with a comma",
+                 n_lines,
+                 "one sign for decimals, and none for thousands");
+          if (has_comma || has_point)
             (may_have_thousands(cells[i]) ? thousands : decimals)[i] = cells[i];
           return *number;
         };
@@ -350,8 +395,11 @@ namespace ThermoContact
         doubts.push_back(
           quote(file_name) + ": '" + cell + "' counts as " +
           significant(*number_in_cell(cell, separator), few_digits) +
-          ", with a decimal comma; should it mean thousands, take the commas "
-          "out of column '" +
+          (cell.find(',') != std::string::npos ?
+             ", with a decimal comma; should it mean thousands, take the "
+             "commas out of column '" :
+             ", with a decimal point; should it mean thousands, take the "
+             "points out of column '") +
           quote(header[i].name) + "'");
     doubt_holes(written, header[0].unit);
   }

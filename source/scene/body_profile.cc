@@ -59,6 +59,8 @@ namespace ThermoContact
       {
         for (const std::string &doubt : one->doubts_of_tables())
           doubts_.push_back(one->path() + ": " + doubt);
+        if (one->depends_on("theta"))
+          continue; // its temperatures are those of a scene
         const double corner[4] = {width, width, 0., 1.};
         for (const std::string &file : one->tables_left(corner))
           doubts_.push_back(one->path() + ": " + quote(file) +

@@ -334,6 +334,8 @@ namespace ThermoContact
           all_doubts.push_back(one->path() + ": " + doubt);
         for (const bool is_end : {false, true})
           {
+            if (one->depends_on("theta"))
+              continue; // its temperatures are those of a scene
             const double variables[4] = {0., 0., 0., is_end ? length : 0.};
             for (const std::string &file : one->tables_left(variables))
               all_doubts.push_back(

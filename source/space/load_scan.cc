@@ -317,6 +317,48 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** Tables of coefficients that have no row at a temperature around the
+     * body.
+     *
+     * @param place of theta among the variables
+     */
+    void
+    doubt_temperatures(const Scene                           &scene,
+                       const std::vector<const Expression *> &coefficients,
+                       const unsigned int                     place,
+                       std::vector<std::string>              &doubts)
+    {
+      const SceneHeat                            &heat = scene.heat;
+      std::vector<std::pair<std::string, double>> all  = {
+         {heat.has_given_temperature ? "at the temperature of the left end" :
+                                       "at the temperature around the left end",
+          heat.fixed_end_temperature}};
+      if (heat.right_temperature)
+        all.emplace_back("at the temperature of the right end",
+                         *heat.right_temperature);
+      else if (heat.has_exchange() && !scene.obstacle_mass)
+        all.emplace_back("at the temperature of the obstacle",
+                         heat.obstacle_temperature);
+      if (heat.has_lateral_exchange())
+        all.emplace_back("at the temperature around the sides",
+                         heat.ambient_temperature);
+      for (const Expression *const one : coefficients)
+        for (const auto &[where, theta] : all)
+          {
+            double variables[4] = {};
+            variables[place]    = theta;
+            for (const std::string &file : one->tables_left(variables))
+              doubts.push_back(one->path() + ": " + quote(file) +
+                               " has no row " + where +
+                               ": the value of its nearest row holds there");
+          }
+    }
+  } // namespace
+
+
+
   template <int dim>
   LoadHistory
   load_history(const Scene              &scene,
@@ -327,11 +369,20 @@ namespace ThermoContact
     LoadHistory              history;
     std::vector<std::string> doubts;
     if (scene.profile)
-      doubts = scene.profile->doubts();
+      {
+        doubts = scene.profile->doubts();
+        doubt_temperatures(scene,
+                           scene.profile->coefficients().of_temperature(),
+                           2,
+                           doubts);
+      }
     for (const RowBody &body : scene.row.bodies)
       if (body.profile)
-        for (const std::string &doubt : body.profile->doubts())
-          doubts.push_back(doubt);
+        {
+          for (const std::string &doubt : body.profile->doubts())
+            doubts.push_back(doubt);
+          doubt_temperatures(scene, body.profile->of_temperature(), 0, doubts);
+        }
     for (const std::string &doubt : doubts)
       warnings.push_back(doubt);
     const std::vector<Load> loads = loads_in_time<dim>(scene, data);
