@@ -162,7 +162,7 @@ namespace ThermoContact
     if (!forecast.remark.empty())
       return forecast;
 
-    if (scene.heat.exchange->is_constant())
+    if (scene.heat.exchange->is_in_matrices())
       forecast.states = {state_of_drop(scene, scene.heat.steady_drop())};
     else
       forecast.states = states_of_varying_exchange(scene);

@@ -140,12 +140,11 @@ namespace ThermoContact
 
 
   const PairParameters *
-  RowParameters::find_pair(const std::string &left,
-                           const std::string &right) const
+  RowParameters::find_pair(const std::string &name) const
   {
     const auto found =
       std::find_if(pairs.begin(), pairs.end(), [&](const auto &pair) {
-        return pair.name == left + ' ' + right;
+        return pair.name == name;
       });
     return found == pairs.end() ? nullptr : &*found;
   }
@@ -159,7 +158,7 @@ namespace ThermoContact
     for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
       {
         const PairParameters *const pair =
-          find_pair(bodies[i].name, bodies[i + 1].name);
+          find_pair(bodies[i].name + ' ' + bodies[i + 1].name);
         if (pair == nullptr || !(pair->is_bonded() || pair->has_own_kind()))
           return false;
         has_any = has_any || pair->has_own_kind();

@@ -367,11 +367,13 @@ namespace ThermoContact
                    "remove the row, of which there is no measurement; numbers "
                    "have no separators of thousands, and a decimal comma only "
                    "where ';' or a tab separates columns");
-          std::string unused;
-          const bool  has_comma = cells[i].find(',') != std::string::npos,
-                     has_point  = separator != ',' &&
+          const bool has_comma = cells[i].find(',') != std::string::npos,
+                     has_point = separator != ',' &&
                                  cells[i].find('.') != std::string::npos;
-          (has_comma ? with_comma : has_point ? with_point : unused) = cells[i];
+          if (has_comma)
+            with_comma = cells[i];
+          if (has_point)
+            with_point = cells[i];
           if (!with_comma.empty() && !with_point.empty())
             fail("'" + quote(with_point) + "' with a point, '" +
                    quote(with_comma) + "' with a comma",

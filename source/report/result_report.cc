@@ -18,9 +18,6 @@ namespace ThermoContact
     // More than this of the energy is more than engineers leave to a scheme.
     constexpr double largest_numerical_part = 0.05;
 
-    /** At which most metals yield: pressure over modulus. */
-    constexpr double yield_strain = 1e-3;
-
     /** Of the time of the first impact, by a run on a few cells. */
     constexpr double largest_forecast_error = 0.05;
 
@@ -236,7 +233,7 @@ namespace ThermoContact
     const OutputUnits units(scene.parameters);
     if (scene.contact.law->is_active())
       log.line("  contact   " + describe_contact(scene, history));
-    if (units.is_si() && history.max_contact_force > yield_strain)
+    if (units.is_si() && history.max_contact_force > Tolerances::yield_strain)
       log.line("  doubt     the peak force is a strain of " +
                significant(history.max_contact_force, 2) +
                ": most metals yield there, and the model does not");

@@ -203,9 +203,9 @@ namespace ThermoContact
       for (const SteadyState &state : rest.states)
         lines += (lines.empty() ? "" : "\n            ") +
                  describe_steady_state(state, scene) +
-                 (scene.heat.exchange->is_constant() ? "" :
-                  state.is_stable                    ? ", stable" :
-                                                       ", unstable");
+                 (scene.heat.exchange->is_in_matrices() ? "" :
+                  state.is_stable                       ? ", stable" :
+                                                          ", unstable");
       return lines + (rest.remark.empty() ? "" : "; " + rest.remark);
     }
 

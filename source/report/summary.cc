@@ -73,7 +73,7 @@ namespace ThermoContact
         {"predicted_steps", forecast.cost.steps}};
       if (!states.empty())
         entries["predicted_in_contact"] = rest.in_contact;
-      if (scene.heat.exchange->is_constant())
+      if (scene.heat.exchange->is_in_matrices())
         return entries;
       const OutputUnits units(scene.parameters);
       auto &all = entries["states_of_rest"] = nlohmann::ordered_json::array();

@@ -22,6 +22,22 @@ namespace ThermoContact
 
 
 
+    template <typename Terms, typename Value>
+    RodCoefficients
+    collect(const Terms &c, const Value &value)
+    {
+      return {value(c[0]),
+              value(c[1]),
+              value(c[2]),
+              value(c[3]),
+              value(c[4]),
+              value(c[5]),
+              value(c[6]),
+              value(c[7])};
+    }
+
+
+
     double
     plain_value(const double number)
     {
@@ -126,13 +142,13 @@ namespace ThermoContact
         "Poisson ratio",
         {parameters.model.poisson_ratio,
          body.poisson_ratio == "none" ? "" : body.poisson_ratio});
-    all[viscosity].may_be_lower = true;
-    all[viscosity].allowed      = "numbers from 0 on";
-    all[coupling].lower         = -infinity;
-    all[coupling].allowed       = "finite numbers";
-    all[poisson_ratio].lower    = -1.;
-    all[poisson_ratio].upper    = 0.5;
-    all[poisson_ratio].allowed  = "numbers between -1 and 1/2";
+    all[viscosity].may_equal_lower = true;
+    all[viscosity].allowed         = "numbers from 0 on";
+    all[coupling].lower            = -infinity;
+    all[coupling].allowed          = "finite numbers";
+    all[poisson_ratio].lower       = -1.;
+    all[poisson_ratio].upper       = 0.5;
+    all[poisson_ratio].allowed     = "numbers between -1 and 1/2";
   }
 
 
@@ -207,7 +223,7 @@ namespace ThermoContact
     const double value     = plain_value(result);
     const bool   is_number = parse_number(one.expression->text()).has_value();
     if (!std::isfinite(value) || value < one.lower || value >= one.upper ||
-        (!one.may_be_lower && value == one.lower))
+        (!one.may_equal_lower && value == one.lower))
       throw InputError(text(one.expression->path(),
                             " = ",
                             one.expression->text(),
@@ -267,8 +283,7 @@ namespace ThermoContact
   RodCoefficients
   MaterialCoefficients::in_equations(const Variables<double> &variables) const
   {
-    const auto c = terms<double>(variables);
-    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
+    return collect(terms<double>(variables), [](const double c) { return c; });
   }
 
 
@@ -292,20 +307,9 @@ namespace ThermoContact
     for (unsigned int i = 0; i < jets.size(); ++i)
       jets[i] = variable_names[i] == "theta" ? NumberJet(variables[i], 1., 0.) :
                                                NumberJet(variables[i]);
-    const auto terms_of = terms<NumberJet>(jets, known);
-    const auto part =
-      [&terms_of](double NumberJet::*const of) -> RodCoefficients {
-      const auto &c = terms_of;
-      return {c[0].*of,
-              c[1].*of,
-              c[2].*of,
-              c[3].*of,
-              c[4].*of,
-              c[5].*of,
-              c[6].*of,
-              c[7].*of};
-    };
-    return {part(&NumberJet::value), part(&NumberJet::first)};
+    const auto all_terms = terms<NumberJet>(jets, known);
+    return {collect(all_terms, [](const NumberJet &c) { return c.value; }),
+            collect(all_terms, [](const NumberJet &c) { return c.first; })};
   }
 
 

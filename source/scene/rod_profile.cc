@@ -90,7 +90,7 @@ namespace ThermoContact
                          const BodyParameters &rod)
     : length(rod.length)
     , inertia(parameters.model.inertia)
-    , all(parameters, rod, {{"theta", "", "", "x"}})
+    , all(parameters, rod, {{"", "", "theta", "x"}})
     , ends({0., rod.length})
   {
     if (varies())
@@ -147,7 +147,7 @@ namespace ThermoContact
   RodCoefficients
   RodProfile::at(const double x, const double theta) const
   {
-    return all.in_equations({{theta, 0., 0., x}});
+    return all.in_equations({{0., 0., theta, x}});
   }
 
 
@@ -155,7 +155,7 @@ namespace ThermoContact
   RodTangents
   RodProfile::tangents(const double x, const double theta) const
   {
-    return all.tangents({{theta, 0., 0., x}});
+    return all.tangents({{0., 0., theta, x}});
   }
 
 

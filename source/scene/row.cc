@@ -285,9 +285,9 @@ namespace ThermoContact
     for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
       {
         const BodyParameters       &left = bodies[i], &right = bodies[i + 1];
-        const PairParameters *const pair =
-          parameters.row.find_pair(left.name, right.name);
-        add(left.name + ' ' + right.name,
+        const std::string           name = left.name + ' ' + right.name;
+        const PairParameters *const pair = parameters.row.find_pair(name);
+        add(name,
             left,
             &right,
             pair != nullptr ?
@@ -449,8 +449,7 @@ namespace ThermoContact
             const BodyParameters &left = given.bodies[i - 1];
             const std::string     name = left.name + " " + body.name;
             known.push_back(name);
-            const PairParameters *const pair =
-              given.find_pair(left.name, body.name);
+            const PairParameters *const pair = given.find_pair(name);
             const bool bonded = pair != nullptr && pair->is_bonded();
             if (bonded && (left.is_mass() || body.is_mass()))
               throw InputError(

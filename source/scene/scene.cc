@@ -259,7 +259,7 @@ namespace ThermoContact
           acts(fields.has_temperature, parameters.boundary.left.heat_flux),
         fields.has_temperature && heat.linear_coefficient() > 0. &&
           heat.obstacle_drive != nullptr,
-        fields.has_temperature && !heat.exchange->is_constant() &&
+        fields.has_temperature && !heat.exchange->is_in_matrices() &&
           (heat.obstacle_drive || heat.exchange->dependence().on_time),
         fields.has_temperature && heat.fixed_end_drive != nullptr,
         has_motion,
@@ -277,7 +277,7 @@ namespace ThermoContact
                              const bool         has_motion)
     {
       return fields.has_displacement && parameters.model.inertia > 0. &&
-             heat.exchange->is_constant() && !has_motion &&
+             heat.exchange->is_in_matrices() && !has_motion &&
              (parameters.time.start == "paper" ||
               (parameters.time.start == "automatic" &&
                scheme.is_backward_euler &&

@@ -1088,7 +1088,7 @@ namespace ThermoContact
         }
       check_kinds_of_contacts(scene);
       for (const RowContact &contact : row.contacts)
-        if (contact.exchange && !scene.heat.exchange->is_constant())
+        if (contact.exchange && !scene.heat.exchange->is_in_matrices())
           refuse("Contacts/" + contact.name + "/Heat exchange",
                  *contact.exchange,
                  "none, since Boundary/right/Heat exchange is an expression",

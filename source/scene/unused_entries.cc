@@ -209,13 +209,6 @@ namespace ThermoContact
     {
       const Parameters &parameters = scene.parameters;
       const std::string condition  = "Contact/Condition = " + general.name;
-      const auto        pair_of    = [&](const RowContact &contact) {
-        return std::find_if(parameters.row.pairs.begin(),
-                            parameters.row.pairs.end(),
-                            [&](const PairParameters &pair) {
-                              return pair.name == contact.name;
-                            });
-      };
       const auto add = [&](const std::string &name, const std::string &entry) {
         // which contacts have it, and which of these from section Contact
         const std::string path = "Contact/" + entry;
@@ -225,12 +218,13 @@ namespace ThermoContact
         bool is_taken = is_used;
         for (const RowContact &contact : scene.row.contacts)
           {
-            const auto pair    = pair_of(contact);
-            const bool is_pair = pair != parameters.row.pairs.end();
-            if (!(is_pair ? pair->law_kind(general) : general).uses(name))
+            const auto *const pair = parameters.row.find_pair(contact.name);
+            if (!(pair != nullptr ? pair->law_kind(general) : general)
+                   .uses(name))
               continue;
-            is_used  = true;
-            is_taken = is_taken || !(is_pair && pair->own_law.has_number(name));
+            is_used = true;
+            is_taken =
+              is_taken || !(pair != nullptr && pair->own_law.has_number(name));
           }
         if (entry == "Stiffness") // of a file in SI units
           is_used = is_taken = general.uses(name);

@@ -53,7 +53,7 @@ namespace ThermoContact
                               body.scene.parameters.time.tolerance :
                               Tolerances::fixed_step_event,
                             !body.scene.fields.has_temperature ||
-                              body.scene.heat.exchange->is_constant(),
+                              body.scene.heat.exchange->is_in_matrices(),
                             !body.scene.material.is_static(),
                             body.scene.contact.rear_law.get());
   }

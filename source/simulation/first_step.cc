@@ -18,7 +18,7 @@ namespace ThermoContact
   {
     const Scene &scene = body.scene;
     if (!scene.fields.has_temperature || scene.fields.has_displacement ||
-        !scene.heat.exchange->is_constant() ||
+        !scene.heat.exchange->is_in_matrices() ||
         !scene.parameters.time.has_error_control())
       return infinity;
     const double              tolerance = scene.parameters.time.tolerance;

@@ -133,7 +133,7 @@ namespace ThermoContact
         for (unsigned int i = 0; i < n; ++i)
           record.contacts[i].heat_flux =
             body.surroundings.flux(i,
-                                   body.scene.heat.exchange->is_constant() ?
+                                   body.scene.heat.exchange->is_in_matrices() ?
                                      end.nodes()[i].own_exchange :
                                      state.exchange_coefficient[i],
                                    contact_values[i],
@@ -145,7 +145,7 @@ namespace ThermoContact
         record.heat_flux_end =
           heat.right_temperature ?
             nan :
-          heat.exchange->is_constant() ?
+          heat.exchange->is_in_matrices() ?
             heat.linear_coefficient() *
               (record.temperature_end -
                body.surroundings.of_obstacle(state.load_time)) :

@@ -396,7 +396,7 @@ namespace ThermoContact
         Vector right(heat), unused(load);
         body.equations.stage_rhs(state, 0., heat, load, right, unused);
         body.equations.add_heating(state.velocity, -1., right);
-        if (!body.scene.heat.exchange->is_constant())
+        if (!body.scene.heat.exchange->is_in_matrices())
           {
             std::vector<double> flux;
             body.contact_end().get_values(Field::temperature,

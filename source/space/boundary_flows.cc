@@ -119,7 +119,7 @@ namespace ThermoContact
   double
   BoundaryFlows<dim>::heat_by_law(const State &state) const
   {
-    if (scene.heat.exchange->is_constant() || scene.heat.right_temperature)
+    if (scene.heat.exchange->is_in_matrices() || scene.heat.right_temperature)
       return 0.;
     const ContactEnd<dim> &end = discretization.contact_end();
     std::vector<double>    temperature;

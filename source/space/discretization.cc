@@ -480,18 +480,18 @@ namespace ThermoContact
 
 
   template <int dim>
-  RodTangents
+  RodCoefficients
   Discretization<dim>::beyond_zero(const Cell       &cell,
                                    const Point<dim> &place,
                                    const double      theta) const
   {
+    Assert(has_bodies(), ExcInternalError());
+    RodCoefficients       beyond  = of_material(cell, place, theta);
     const RodCoefficients at_zero = of_material(cell, place);
     if (row_.is_given())
-      return row_.beyond_zero(cell->active_cell_index(),
-                              {of_material(cell, place, theta), {}},
-                              at_zero);
-    RodTangents beyond = profile->tangents(inside(cell, place), theta);
-    beyond.value -= at_zero;
+      return row_.beyond_zero(cell->active_cell_index(), {beyond, {}}, at_zero)
+        .value;
+    beyond -= at_zero;
     return beyond;
   }
 

@@ -196,7 +196,7 @@ namespace ThermoContact
       rate += factor * form(Field::displacement,
                             stage_operator.viscous_stiffness,
                             state.velocity);
-    if (!heat.exchange->is_constant())
+    if (!heat.exchange->is_in_matrices())
       {
         set_equal(heat_scratch, state.temperature);
         heat_scratch -= steady_profile_;
@@ -276,7 +276,7 @@ namespace ThermoContact
           }
         if (discretization.has_bodies())
           rate += heat_scratch * unbalanced_heat;
-        if (!heat.exchange->is_constant())
+        if (!heat.exchange->is_in_matrices())
           rate +=
             area *
             mean_of_end(heat_scratch, [&](const unsigned int i, const double) {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -319,22 +320,30 @@ namespace ThermoContact
 
   namespace
   {
-    /** Tables of coefficients that have no row at a temperature around the
-     * body.
-     *
-     * @param place of theta among the variables
-     */
+    /** Doubts about tables of coefficients that have no row at a temperature of
+     * the start or around the body. */
+    template <int dim>
     void
     doubt_temperatures(const Scene                           &scene,
+                       const ProblemData<dim>                &data,
                        const std::vector<const Expression *> &coefficients,
-                       const unsigned int                     place,
+                       const double                           begin,
+                       const double                           end,
                        std::vector<std::string>              &doubts)
     {
       const SceneHeat                            &heat = scene.heat;
-      std::vector<std::pair<std::string, double>> all  = {
-         {heat.has_given_temperature ? "at the temperature of the left end" :
-                                       "at the temperature around the left end",
-          heat.fixed_end_temperature}};
+      std::vector<std::pair<std::string, double>> all;
+      const double inside = Tolerances::in_cell * (end - begin);
+      for (const double x : {begin + inside, end - inside})
+        {
+          Point<dim> place;
+          place[0] = x;
+          all.emplace_back("at an initial temperature",
+                           data.initial_fields->value(place));
+        }
+      if (heat.has_given_temperature || heat.left_exchange > 0.)
+        all.emplace_back("at the temperature of the left end",
+                         heat.fixed_end_temperature);
       if (heat.right_temperature)
         all.emplace_back("at the temperature of the right end",
                          *heat.right_temperature);
@@ -345,15 +354,22 @@ namespace ThermoContact
         all.emplace_back("at the temperature around the sides",
                          heat.ambient_temperature);
       for (const Expression *const one : coefficients)
-        for (const auto &[where, theta] : all)
-          {
-            double variables[4] = {};
-            variables[place]    = theta;
-            for (const std::string &file : one->tables_left(variables))
-              doubts.push_back(one->path() + ": " + quote(file) +
-                               " has no row " + where +
-                               ": the value of its nearest row holds there");
-          }
+        {
+          std::map<std::string, std::string> places; // of each file
+          for (const auto &[where, theta] : all)
+            {
+              const double variables[] = {0., 0., theta, 0.};
+              for (const std::string &file : one->tables_left(variables))
+                if (std::string &told = places[file]; told.empty())
+                  told = where;
+                else if (told.find(where) == std::string::npos)
+                  told += " or " + where;
+            }
+          for (const auto &[file, told] : places)
+            doubts.push_back(one->path() + ": " + quote(file) + " has no row " +
+                             told +
+                             ": the value of its nearest row holds there");
+        }
     }
   } // namespace
 
@@ -372,8 +388,10 @@ namespace ThermoContact
       {
         doubts = scene.profile->doubts();
         doubt_temperatures(scene,
+                           data,
                            scene.profile->coefficients().of_temperature(),
-                           2,
+                           0.,
+                           1.,
                            doubts);
       }
     for (const RowBody &body : scene.row.bodies)
@@ -381,7 +399,12 @@ namespace ThermoContact
         {
           for (const std::string &doubt : body.profile->doubts())
             doubts.push_back(doubt);
-          doubt_temperatures(scene, body.profile->of_temperature(), 0, doubts);
+          doubt_temperatures(scene,
+                             data,
+                             body.profile->of_temperature(),
+                             body.begin,
+                             body.end,
+                             doubts);
         }
     for (const std::string &doubt : doubts)
       warnings.push_back(doubt);

@@ -71,15 +71,14 @@ namespace ThermoContact
     Tensor<1, dim> gradient{};
     Strain         strain{}, strain_rate{};
 
-    /** Of these coefficients, nondimensional, tension positive. */
     SymmetricTensor<2, 3>
-    stress(const RodCoefficients &of) const
+    stress(const RodCoefficients &coefficients) const
     {
-      return of.stiffness * elastic_stress(elasticity, strain) +
-             material.viscosity * of.viscosity *
-               elastic_stress(elasticity, strain_rate) -
-             material.thermal_stress * of.coupling * theta *
-               unit_symmetric_tensor<3>();
+      return stress_of(material,
+                       coefficients,
+                       theta * unit_symmetric_tensor<3>(),
+                       elastic_stress(elasticity, strain),
+                       elastic_stress(elasticity, strain_rate));
     }
   };
 
@@ -90,9 +89,9 @@ namespace ThermoContact
                                     const Operator &equations)
     : fields(scene.fields)
     , material(scene.material)
-    , has_lumped_mass(scene.has_lumped_mass)
     , equations(equations)
     , discretization(equations.space())
+    , rules(std::make_unique<Rules>(discretization, scene.has_lumped_mass))
   {
     const auto &fe = discretization.finite_element();
     for (unsigned int i = 0; i < fe.dofs_per_cell; ++i)
@@ -101,13 +100,11 @@ namespace ThermoContact
                Field::temperature :
                Field::displacement]
         .push_back(i);
-    Rules rules(discretization, has_lumped_mass);
     for_each_cell([&](const Cell &cell) {
-      for (FEValues<dim> *const points :
-           {&rules.mass.values, &rules.rest.values})
+      for (typename Rules::Rule *const rule : {&rules->mass, &rules->rest})
         {
-          points->reinit(cell);
-          for (const auto &place : points->get_quadrature_points())
+          rule->reinit(cell);
+          for (const auto &place : rule->values.get_quadrature_points())
             {
               const auto inside  = discretization.inside(cell, place);
               const auto at_zero = discretization.of_material(cell, place);
@@ -119,6 +116,11 @@ namespace ThermoContact
         }
     });
   }
+
+
+
+  template <int dim>
+  NonlinearBody<dim>::~NonlinearBody() = default;
 
 
 
@@ -146,7 +148,6 @@ namespace ThermoContact
                       rates =
                         discretization.with_ghosts(instant.temperature_rate,
                                                    instant.velocity);
-    Rules              rules(discretization, has_lumped_mass);
     const unsigned int n = discretization.finite_element().dofs_per_cell;
     std::vector<types::global_dof_index> dofs(n);
     std::vector<double>                  value(n), rate(n);
@@ -159,8 +160,8 @@ namespace ThermoContact
           value[i] = values(dofs[i]);
           rate[i]  = rates(dofs[i]);
         }
-      for (const auto &[rule, at] :
-           {std::pair(&rules.mass, &at_mass), std::pair(&rules.rest, &at_rest)})
+      for (const auto &[rule, at] : {std::pair(&rules->mass, &at_mass),
+                                     std::pair(&rules->rest, &at_rest)})
         {
           rule->reinit(cell);
           for (unsigned int q = 0; q < rule->basis.size(); ++q, ++next)
@@ -195,7 +196,9 @@ namespace ThermoContact
         }
       at_cell(cell);
     });
-    throw_first<InputError>(fault, discretization.communicator());
+    fault = first_fault(fault, discretization.communicator());
+    if (!fault.empty())
+      throw InputError(fault);
   }
 
 

@@ -139,11 +139,11 @@ namespace ThermoContact
           const double source = material.heating * beyond.value.coupling *
                                 at.strain_rate,
                        flux   = beyond.value.conduction * at.theta_x,
-                       stress = added_stress(material,
-                                             beyond.value,
-                                             at.theta,
-                                             at.strain,
-                                             at.strain_rate);
+                       stress = stress_of(material,
+                                          beyond.value,
+                                          at.theta,
+                                          at.strain,
+                                          at.strain_rate);
           for (unsigned int i = 0; i < layout.nodes_per_cell(); ++i)
             {
               const unsigned int node  = layout.node(cell.number, i);

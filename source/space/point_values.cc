@@ -166,12 +166,11 @@ namespace ThermoContact
           }
         values[stress * n_places + one.place] +=
           one.weight *
-          added_stress(
-            scene.material,
-            discretization.beyond_zero(one.cell, one.position, theta).value,
-            theta,
-            elastic,
-            of_rate);
+          stress_of(scene.material,
+                    discretization.beyond_zero(one.cell, one.position, theta),
+                    theta,
+                    elastic,
+                    of_rate);
       }
   }
 

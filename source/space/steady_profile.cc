@@ -44,7 +44,7 @@ namespace ThermoContact
     const ContactEnd<dim> &end = discretization.contact_end();
     Vector                 exchange(profile), residual(profile);
     exchange = 0.;
-    if (!heat.exchange->is_constant())
+    if (!heat.exchange->is_in_matrices())
       end.subtract_load(Field::temperature,
                         std::vector<double>(end.n_nodes(),
                                             -heat.reference_coefficient),
@@ -56,7 +56,7 @@ namespace ThermoContact
       {
         stage_operator.conduction.vmult(residual, profile);
         residual.sadd(-1., loads.outer_heat());
-        if (!heat.exchange->is_constant())
+        if (!heat.exchange->is_in_matrices())
           {
             end.get_values(Field::temperature, profile, steady_end);
             for (unsigned int i = 0; i < end.n_nodes(); ++i)

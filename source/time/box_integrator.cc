@@ -331,7 +331,7 @@ namespace ThermoContact
                                  const StepPath    &path) const
   {
     if (n_heat_stages == 0 || !present.begins_at_break ||
-        body.scene.heat.exchange->is_constant())
+        body.scene.heat.exchange->is_in_matrices())
       return state.exchange_coefficient[c];
     const double p     = state.contact_pressure[c];
     const double theta = contacts[c].sum(
@@ -550,7 +550,7 @@ namespace ThermoContact
   {
     constexpr unsigned int n = HeatStages::n;
     const bool             flows =
-      n_heat_stages > 0 && !body.scene.heat.exchange->is_constant();
+      n_heat_stages > 0 && !body.scene.heat.exchange->is_in_matrices();
     EndContact end;
     end.end_coefficient = end_coefficient;
     const double old    = old_coefficient(c, state, path_without_exchange);
@@ -641,7 +641,7 @@ namespace ThermoContact
                               const StepPath    &path,
                               const Releases    &releases)
   {
-    if (n_heat_stages == 0 || body.scene.heat.exchange->is_constant())
+    if (n_heat_stages == 0 || body.scene.heat.exchange->is_in_matrices())
       return contact_for(
         c, state, state.exchange_coefficient[c], free, path, size, releases);
     EndContact          end;
@@ -815,7 +815,7 @@ namespace ThermoContact
     work_of_impacts = 0.;
     set_end_velocities(state, ends, new_state);
 
-    if (!body.scene.heat.exchange->is_constant())
+    if (!body.scene.heat.exchange->is_in_matrices())
       for (unsigned int c = 0; c < contacts.size(); ++c)
         new_state.exchange_coefficient[c] = ends[c].end_coefficient;
     if (!body.law().is_active())
@@ -1232,7 +1232,7 @@ namespace ThermoContact
           stage.temperature.add(size * HeatStages::coefficients[i][j],
                                 rates.temperature_rate[j]);
         stage.load_time = heat_times[i];
-        if (!body.scene.heat.exchange->is_constant())
+        if (!body.scene.heat.exchange->is_in_matrices())
           for (unsigned int c = 0; c < ends.size(); ++c)
             stage.exchange_coefficient[c] = ends[c].coefficient[i];
         add(HeatStages::weights[i], heat_load[i], rates.temperature_rate[i]);

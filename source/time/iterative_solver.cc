@@ -81,8 +81,8 @@ namespace ThermoContact
   {
     const double tolerance =
       body.scene.linear_solver.tolerance *
-      (body.scene.heat.exchange->is_constant() ? 1. :
-                                                 Tolerances::within_search);
+      (body.scene.heat.exchange->is_in_matrices() ? 1. :
+                                                    Tolerances::within_search);
     count(stage.solve(
       is_last ? tolerance : std::max(tolerance, Tolerances::loose_residual)));
   }
@@ -219,7 +219,7 @@ namespace ThermoContact
     stage.prepare(known, tau, heat_load, momentum_load, rates.pressure);
     factor = get_stage_laws(body, known, tau, mode, rates.held_at, laws, start);
     n_sets = 0;
-    if (body.scene.heat.exchange->is_constant())
+    if (body.scene.heat.exchange->is_in_matrices())
       n_sets = meet_laws(rates.pressure);
     else
       {

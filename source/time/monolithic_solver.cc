@@ -172,7 +172,7 @@ namespace ThermoContact
       loss_at_end(Field::displacement, pressure, factorization);
     end.velocity_by_pressure = end.penetration_by_pressure;
     end.velocity_by_pressure /= factorization.tau;
-    if (exchange.is_constant())
+    if (exchange.is_in_matrices())
       return;
     compute_unit_responses(flux, factorization);
     end.penetration_by_flux =
@@ -362,7 +362,7 @@ namespace ThermoContact
                                StageRates       &rates)
   {
     solve_without_contact(known, tau, heat_load, momentum_load, rates);
-    const bool has_flux = !exchange.is_constant();
+    const bool has_flux = !exchange.is_in_matrices();
     const bool has_contact =
       body.law().is_active() && mode != ContactMode::open;
     if (!has_flux && !has_contact)

@@ -130,8 +130,8 @@ START = [
                                    "of its nearest row holds there"]), ("y", []))],
     # tables of theta up to 0.5, below the temperature of the left end, 10
     *[(SOFT + scene + (f"Bodies/a/Stiffness=table({LAYERS}, theta)", "Mesh/Cells=2", "Contact/Massless nodes=off"),
-       [f"Bodies/a/Stiffness: {LAYERS} has no row at the temperature of the left end: the value of its nearest row "
-        "holds there"]) for scene in (("Dimension=2",), ("Dimension=3", "Mesh/Cells across=1"))],
+       [f"Bodies/a/Stiffness: {LAYERS} has no row at an initial temperature or at the temperature of the left end: "
+        "the value of its nearest row holds there"]) for scene in (("Dimension=2",), ("Dimension=3", "Mesh/Cells across=1"))],
     # a node of mass b h/20 on the spring 1/1e-8: 2 pi (1e-8/160)^(1/2)
     (SOFT + OSCILLATING + ("Contact/Compliance=1e-8", "Contact/Massless nodes=off"),
      ["Contact/Massless nodes = off: contact nodes with mass bounce on an obstacle so "

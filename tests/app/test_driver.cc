@@ -164,6 +164,14 @@ main(int, char **argv)
   if (arguments.empty())
     arguments.emplace_back("FILE");
 
+  // those of the test's last run; files are its output and written anew
+  std::vector<fs::path> directories;
+  for (const fs::directory_entry &entry : fs::directory_iterator("."))
+    if (entry.is_directory())
+      directories.push_back(entry.path());
+  for (const fs::path &directory : directories)
+    fs::remove_all(directory);
+
   setenv("THERMOCONTACT", PROGRAM, 1); // for the scripts
   for (const std::string &line : marked_lines(test, "#% "))
     if (const std::string shell_command = replace_all(line, "PRM", prm_dir);

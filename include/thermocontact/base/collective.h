@@ -86,23 +86,6 @@ namespace ThermoContact
   first_fault(const std::string &fault, const MPI_Comm communicator);
 
   /**
-   * Throws on all ranks the first message of a rank that is not empty.
-   * Collective.
-   *
-   * @throw Error (InputError or ComputationError) with that message
-   */
-  template <typename Error>
-  void
-  throw_first(const std::string &message, const MPI_Comm communicator)
-  {
-    for (const std::string &of_rank : all_gather(communicator, message))
-      if (!of_rank.empty())
-        throw Error(of_rank);
-  }
-
-
-
-  /**
    * Throws on all ranks if the message of rank 0 is not empty. Collective.
    *
    * @throw Error (InputError or ComputationError) with that message

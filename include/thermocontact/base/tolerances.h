@@ -224,6 +224,11 @@ namespace ThermoContact
 
     /** Tolerance of the run on a few cells that finds the first impact. */
     inline constexpr double forecast_run = 1e-3;
+
+    // ---- doubts
+
+    /** Pressure over modulus at which most metals yield. */
+    inline constexpr double yield_strain = 1e-3;
   } // namespace Tolerances
 
 

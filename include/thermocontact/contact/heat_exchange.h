@@ -40,7 +40,7 @@ namespace ThermoContact
       bool on_temperature = false; ///< of the body, or of the obstacle
       bool on_time        = false;
 
-      /** The flux, rather: on the temperature of an obstacle that has a mass,
+      /** The flux depends on the temperature of an obstacle that has a mass,
        * which the matrices do not know. */
       bool on_partner = false;
 
@@ -72,10 +72,10 @@ namespace ThermoContact
       return dependence_;
     }
 
-    /** True if $k$ depends on nothing, so that the exchange is linear, and
-     * the matrices contain it. */
+    /** True if $k$ is a number and the matrices contain the exchange; else it
+     * goes through the contact nodes, stage by stage. */
     bool
-    is_constant() const
+    is_in_matrices() const
     {
       return !dependence_.any() && !dependence_.on_partner;
     }

@@ -116,9 +116,9 @@ namespace ThermoContact
       return !bodies.empty();
     }
 
-    /** The pair of two names; null: no entry is given of it. */
+    /** The pair "LEFT RIGHT"; null: no entry is given of it. */
     const PairParameters *
-    find_pair(const std::string &left, const std::string &right) const;
+    find_pair(const std::string &name) const;
 
     /** Each pair of neighbours has a kind of law of its own or is bonded, and
      * one has. */

@@ -58,14 +58,14 @@ namespace ThermoContact
     RodCoefficients
     at(const std::array<double, 3> &place, const double theta = 0.) const
     {
-      return all.in_equations({{place[1], place[2], theta, place[0]}});
+      return all.in_equations(variables(place, theta));
     }
 
     /** MaterialCoefficients::values() at theta = 0; throws likewise. */
     MaterialCoefficients::Values
     values(const std::array<double, 3> &place) const
     {
-      return all.values({{place[1], place[2], 0., place[0]}});
+      return all.values(variables(place, 0.));
     }
 
     /** MaterialCoefficients::tangents() there; throws likewise. */
@@ -74,7 +74,7 @@ namespace ThermoContact
              const double                              theta,
              const MaterialCoefficients::Values *const known = nullptr) const
     {
-      return all.tangents({{place[1], place[2], theta, place[0]}}, known);
+      return all.tangents(variables(place, theta), known);
     }
 
     /** Where cells end, sorted: x, then y and z as one list; nondimensional. */
@@ -102,6 +102,12 @@ namespace ThermoContact
     MaterialCoefficients               all; ///< of y, z and, for t, x
     std::array<std::vector<double>, 2> planes_;
     std::vector<std::string>           doubts_;
+
+    static MaterialCoefficients::Variables<double>
+    variables(const std::array<double, 3> &place, const double theta)
+    {
+      return {{place[1], place[2], theta, place[0]}};
+    }
 
     /** Adds the planes of a coefficient across a direction. */
     void

@@ -165,9 +165,9 @@ namespace ThermoContact
       double                    number = 1.;
       std::optional<Expression> expression;
       double                    lower = 0., upper = infinity;
-      bool                      may_be_lower = false;
-      std::string               allowed      = "positive numbers";
-      bool                      is_of_theta  = false;
+      bool                      may_equal_lower = false;
+      std::string               allowed         = "positive numbers";
+      bool                      is_of_theta     = false;
     };
 
     std::array<std::string, 4>       variable_names;

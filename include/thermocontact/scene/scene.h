@@ -192,14 +192,14 @@ namespace ThermoContact
     {
       if (right_temperature)
         return false;
-      return !exchange->is_constant() || reference_coefficient > 0.;
+      return !exchange->is_in_matrices() || reference_coefficient > 0.;
     }
 
     /** The $k$ that matrices and loads contain: one that is constant, or 0. */
     double
     linear_coefficient() const
     {
-      return exchange->is_constant() ? reference_coefficient : 0.;
+      return exchange->is_in_matrices() ? reference_coefficient : 0.;
     }
 
     /** $k\theta_{obs}$ of it, what the obstacle gives by its temperature. */
@@ -644,7 +644,8 @@ namespace ThermoContact
     {
       return sources.any() || material.is_driven_by_heat() ||
              (has_bodies() && fields.has_temperature) ||
-             (!heat.exchange->is_constant() && heat.temperature_range() > 0.);
+             (!heat.exchange->is_in_matrices() &&
+              heat.temperature_range() > 0.);
     }
 
     /**

@@ -238,9 +238,9 @@ namespace ThermoContact
     Elasticity
     elasticity(const Cell &cell, const Point<dim> &place) const;
 
-    /** BodyRow::beyond_zero() at a place of a cell, for a body of several
-     * dimensions the difference itself. */
-    RodTangents
+    /** Coefficients in the equations at @p theta less those at 0; section Bodies
+     * is given. */
+    RodCoefficients
     beyond_zero(const Cell       &cell,
                 const Point<dim> &place,
                 const double      theta) const;

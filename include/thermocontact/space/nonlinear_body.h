@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -21,6 +22,8 @@ namespace ThermoContact
 
     /** All arguments are borrowed. */
     NonlinearBody(const Scene &scene, const Operator &equations);
+
+    ~NonlinearBody() override;
 
     void
     subtract(const Instant &instant,
@@ -38,7 +41,6 @@ namespace ThermoContact
   private:
     const SceneFields         &fields;
     const Material            &material;
-    const bool                 has_lumped_mass;
     const Operator            &equations;
     const Discretization<dim> &discretization;
 
@@ -60,7 +62,10 @@ namespace ThermoContact
     /** A point, and the body there. */
     struct Point;
 
+    /** Quadratures of a cell, with the functions of the last one. */
     struct Rules;
+
+    const std::unique_ptr<Rules> rules;
 
     using Cell    = typename FieldMatrices<dim>::Cell;
     using AtPoint = std::function<void(const Point &)>;

@@ -71,17 +71,24 @@ namespace ThermoContact
 
 
 
-  /** A component of the stress in $R_u$, nondimensional, tension positive. */
-  inline double
-  added_stress(const Material        &material,
-               const RodCoefficients &beyond,
-               const double           theta,
-               const double           elastic_stress,
-               const double           elastic_stress_of_rate)
+  /**
+   * The stress of these coefficients or a component of it, nondimensional,
+   * tension positive: with what they are beyond $\theta=0$ the one in $R_u$.
+   *
+   * @param thermal $\theta I$, or its component
+   * @param elastic,of_rate $C\varepsilon$ of the displacement and the velocity
+   */
+  template <typename Stress>
+  Stress
+  stress_of(const Material        &material,
+            const RodCoefficients &coefficients,
+            const Stress          &thermal,
+            const Stress          &elastic,
+            const Stress          &of_rate)
   {
-    return beyond.stiffness * elastic_stress +
-           material.viscosity * beyond.viscosity * elastic_stress_of_rate -
-           material.thermal_stress * beyond.coupling * theta;
+    return coefficients.stiffness * elastic +
+           material.viscosity * coefficients.viscosity * of_rate -
+           material.thermal_stress * coefficients.coupling * thermal;
   }
 
 

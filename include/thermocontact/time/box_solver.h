@@ -132,7 +132,7 @@ namespace ThermoContact
     unsigned int
     n_responses() const
     {
-      return body.scene.heat.exchange->is_constant() ? 1 : 1 + HeatStages::n;
+      return body.scene.heat.exchange->is_in_matrices() ? 1 : 1 + HeatStages::n;
     }
 
     /** All that the scene needs. */
