@@ -3,7 +3,6 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/exchange_solver.h>
-#include <thermocontact/method/bracketed_root.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -23,18 +22,7 @@ namespace ThermoContact
 
 
 
-    [[noreturn]] void
-    give_up(const unsigned int n)
-    {
-      throw ComputationError(
-        "the heat exchange coefficients of " + std::to_string(n) +
-        " contact nodes were not found\n  remedy:  a smaller Time/Step size, "
-        "or a Boundary/right/Heat exchange without jumps that is less steep");
-    }
-
-
-
-    /** The root of node @p i, next to its @p k in the direction of the law. */
+    /** coefficient_next_to() its @p k, of node @p i. */
     double
     solve_node(ExchangeStage &end, Values k, const unsigned int i)
     {
@@ -47,25 +35,7 @@ namespace ThermoContact
         end.pressure = nearby;
         return x - end.law_at(k)[i];
       };
-      double a = k[i], excess_a = excess(a);
-      if (excess_a == 0.)
-        return a;
-      double stride = -excess_a;
-      for (unsigned int n = 0; n < 200; ++n, stride *= 2.)
-        {
-          // not positive at 0, and the law is bounded
-          const double b        = std::max(0., a + stride);
-          const double excess_b = excess(b);
-          if (excess_b == 0.)
-            return b;
-          if ((excess_a < 0.) != (excess_b < 0.))
-            return a < b ?
-                     bracketed_root(excess, a, b, excess_a, excess_b).first :
-                     bracketed_root(excess, b, a, excess_b, excess_a).first;
-          a        = b;
-          excess_a = excess_b;
-        }
-      give_up(end.n);
+      return coefficient_next_to(k[i], excess, end.n);
     }
 
 
@@ -269,6 +239,17 @@ namespace ThermoContact
 
 
 
+  void
+  give_up_exchange(const unsigned int n_nodes)
+  {
+    throw ComputationError(
+      "the heat exchange coefficients of " + std::to_string(n_nodes) +
+      " contact nodes were not found\n  remedy:  a smaller Time/Step size, "
+      "or a Boundary/right/Heat exchange without jumps that is less steep");
+  }
+
+
+
   unsigned int
   solve_contact_and_exchange(const HeatExchange         &exchange,
                              const EndResponse          &response,
@@ -282,7 +263,7 @@ namespace ThermoContact
                            Tolerances::rounding,
                            end.coefficient) &&
              !solve_by_sweeps(stage, end.coefficient))
-      give_up(stage.n);
+      give_up_exchange(stage.n);
     stage.law_at(end.coefficient);
     end.pressure = stage.pressure;
     end.flux     = stage.flux;
@@ -297,6 +278,6 @@ namespace ThermoContact
                    std::vector<double> &coefficient)
   {
     if (!solve_smooth(BySecants(stage), tolerance, coefficient))
-      give_up(coefficient.size());
+      give_up_exchange(coefficient.size());
   }
 } // namespace ThermoContact

@@ -23,7 +23,7 @@ namespace ThermoContact
             this->provide(1.);
           }
         else
-          this->set_contact(springs);
+          StageHierarchies<dim>::set_springs(springs);
       }
     };
   } // namespace

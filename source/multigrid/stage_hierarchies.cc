@@ -18,6 +18,7 @@ namespace ThermoContact
   StageHierarchies<dim>::StageHierarchies(const Body<dim> &body)
     : body(body)
     , levels_(body)
+    , hierarchies(max_hierarchies)
   {}
 
 
@@ -26,17 +27,8 @@ namespace ThermoContact
   void
   StageHierarchies<dim>::provide(const double tau)
   {
-    const auto known =
-      std::find_if(hierarchies.begin(),
-                   hierarchies.end(),
-                   [tau](const Hierarchy &h) { return h.tau == tau; });
-    if (known != hierarchies.end())
-      {
-        hierarchies.splice(hierarchies.begin(), hierarchies, known);
-        return;
-      }
-    while (hierarchies.size() >= max_hierarchies)
-      hierarchies.pop_back();
+    if (hierarchies.use(tau))
+      return;
     Hierarchy          hierarchy{tau, nullptr, nullptr, {}, {}, {}};
     const unsigned int finest = levels_.n_levels() - 1;
     for (const Field::Block field : all_fields)
@@ -49,7 +41,7 @@ namespace ThermoContact
           hierarchy.diagonals[field] =
             StageBlock<dim, float>(levels_, finest, field, tau).diagonal();
         }
-    hierarchies.push_front(std::move(hierarchy));
+    hierarchies.add(std::move(hierarchy));
     ++n_made_;
   }
 
@@ -100,7 +92,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  StageHierarchies<dim>::set_contact(const std::vector<double> &springs)
+  StageHierarchies<dim>::set_springs(const std::vector<double> &springs)
   {
     Hierarchy &hierarchy = hierarchies.front();
     if (!hierarchy.momentum || are_similar(springs, hierarchy.springs))

@@ -14,21 +14,6 @@ namespace ThermoContact
   {
     /** Interpolants that miss a zero so often are not to be trusted. */
     constexpr unsigned int max_retakes = 10;
-
-
-
-    /** Adds the cost of an impact to a step. */
-    void
-    book(const StepResult &impact, StepResult &result)
-    {
-      result.impulse += impact.impulse;
-      result.impulses.resize(impact.impulses.size(), 0.);
-      for (unsigned int i = 0; i < impact.impulses.size(); ++i)
-        result.impulses[i] += impact.impulses[i];
-      result.boundaries.add(1., impact.boundaries);
-      result.work += impact.work;
-      result.numerical_dissipation += impact.numerical_dissipation;
-    }
   } // namespace
 
 
@@ -301,7 +286,7 @@ namespace ThermoContact
         locator.set_present(next);
       }
     if (impacted)
-      book(*impacted, result);
+      result.add(*impacted);
   }
 
 

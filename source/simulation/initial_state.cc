@@ -205,7 +205,8 @@ namespace ThermoContact
           double        position  = given;
           const NodeLaw law =
             make_node_law(body.scene.contact, i, state.gap[i], position);
-          const double place = touching_displacement(body, law, state.gap[i]);
+          const double place =
+            body.scene.contact.place(law.side, i, state.gap[i]);
           if (are_one(given, place) ||
               (law.penetration(position) < 0. &&
                law.penetration(projected - place) > 0.))

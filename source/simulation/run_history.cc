@@ -108,11 +108,7 @@ namespace ThermoContact
     record.step_size        = time_step.size;
     record.iterations       = result.n_iterations;
     const double old_energy = record.energy;
-    add_jump(result); // energies that a jump has, too
-    record.dissipation += result.dissipation;
-    record.lateral_dissipation += result.lateral_dissipation;
-    record.algebraic += result.algebraic;
-    record.contact_dissipation += result.contact_dissipation;
+    add_jump(result);
     if (!result.is_prescribed)
       max_energy_increase =
         std::max(max_energy_increase, record.energy - old_energy - result.work);
@@ -126,7 +122,11 @@ namespace ThermoContact
     record.energy_terms = result.energy;
     record.energy       = result.energy.sum();
     record.work += result.work;
+    record.dissipation += result.dissipation;
+    record.lateral_dissipation += result.lateral_dissipation;
     record.numerical_dissipation += result.numerical_dissipation;
+    record.algebraic += result.algebraic;
+    record.contact_dissipation += result.contact_dissipation;
     record.boundaries.add(1., result.boundaries);
     record.contact_impulse += result.impulse;
     for (unsigned int i = 0; i < result.impulses.size(); ++i)

@@ -183,17 +183,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  touching_displacement(const Body<dim> &body,
-                        const NodeLaw   &law,
-                        const double     gap)
-  {
-    return law.side > 0 ? gap : -body.scene.contact.rear_gap;
-  }
-
-
-
-  template <int dim>
   void
   put_on_obstacle(const Body<dim> &body, State &state)
   {
@@ -202,15 +191,14 @@ namespace ThermoContact
     get_node_laws(body, state, laws, position);
     for (const auto &[node, entry] :
          body.contact_end().entries(Field::displacement))
-      if (const double place =
-            touching_displacement(body, laws[node], state.gap[node]);
-          body.contact_end().nodes()[node].has_partner(Field::displacement))
+      if (body.contact_end().nodes()[node].has_partner(Field::displacement))
         body.contact_end().add_to_value(Field::displacement,
                                         node,
                                         0. - position[node],
                                         state.displacement);
       else
-        state.displacement.begin()[entry] = place;
+        state.displacement.begin()[entry] =
+          body.scene.contact.place(laws[node].side, node, state.gap[node]);
   }
 
 
@@ -221,9 +209,10 @@ namespace ThermoContact
                       const State       &state,
                       const unsigned int node)
   {
-    const double p = state.contact_pressure[node];
-    return (p < 0. ? -body.scene.contact.rear_gap : state.gap[node]) +
-           body.scene.contact.law_under(p, node).penetration(p);
+    const SceneContact &contact = body.scene.contact;
+    const double        p       = state.contact_pressure[node];
+    return contact.place(p < 0. ? -1 : 1, node, state.gap[node]) +
+           contact.law_under(p, node).penetration(p);
   }
 
 
@@ -274,9 +263,6 @@ namespace ThermoContact
   template void   get_contact_values(const Body<dim> &,        \
                                      const State &,            \
                                      ContactValues &);         \
-  template double touching_displacement(const Body<dim> &,     \
-                                        const NodeLaw &,       \
-                                        const double);         \
   template void   put_on_obstacle(const Body<dim> &, State &); \
   template double displacement_of_law(const Body<dim> &,       \
                                       const State &,           \

@@ -4,7 +4,7 @@
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/method/bracketed_root.h>
+#include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/box_integrator.h>
 
@@ -664,24 +664,8 @@ namespace ThermoContact
     const auto excess = [&](const double coefficient) {
       return coefficient - law_at(coefficient);
     };
-    // from the last one in the direction of the law to a change of sign
-    double       low = old_coefficient(c, state, path), high = low;
-    const double first  = excess(low);
-    double       at_low = first, at_high = first;
-    if (first < 0.)
-      for (high = low - first; (at_high = excess(high)) < 0.;
-           low = std::exchange(high, 2. * high), at_low = at_high)
-        if (!std::isfinite(high))
-          throw ComputationError(
-            "no heat exchange coefficient goes with the contact\n  remedy: "
-            " another Boundary/right/Heat exchange");
-    if (first > 0.)
-      for (low  = high - first; (at_low = excess(low)) > 0.;
-           high = std::exchange(low, 0.5 * low), at_high = at_low)
-        ;
     const double found =
-      first == 0. ? low :
-                    bracketed_root(excess, low, high, at_low, at_high).first;
+      coefficient_next_to(old_coefficient(c, state, path), excess, 1);
     return contact_for(c, state, found, free, path, size, releases);
   }
 
@@ -833,7 +817,7 @@ namespace ThermoContact
         const double u    = contacts[c].sum([&](const ContactSide &side) {
           return side.value(new_state.displacement);
         });
-        const double rear = -body.scene.contact.rear_gap_at(c);
+        const double rear = body.scene.contact.place(-1, c, new_state.gap[c]);
         const double place =
           end.masses && end.masses->held_at < 0 ?
             rear :
@@ -1204,25 +1188,14 @@ namespace ThermoContact
       }
 
     result.add_impulse(size, stage.contact_pressure, body);
-    result.work    = size * body.energy.obstacle_power(stage) + work_of_impacts;
-    const auto add = [&](const double  weight,
-                         const Vector &heat,
-                         const Vector &heating) {
-      const double part = size * weight;
-      result.dissipation += part * body.energy.dissipation_rate(stage);
-      result.lateral_dissipation +=
-        part * body.energy.lateral_dissipation_rate(stage);
-      if (body.energy.has_work())
-        result.work += part * body.energy.work_rate(heat, momentum_load, stage);
-      if (body.driven_end.is_active())
-        result.work += part * body.driven_end.power(stage,
-                                                    heating,
-                                                    acceleration,
-                                                    heat,
-                                                    momentum_load);
-      result.add_boundaries(
-        part, stage, heating, acceleration, heat, momentum_load, body);
-    };
+    result.work += size * body.energy.obstacle_power(stage) + work_of_impacts;
+    const auto add =
+      [&](const double weight, const Vector &heat, const Vector &heating) {
+        result.add_dissipation(size * weight, stage, body);
+        result.add_work(size * weight,
+                        {stage, heating, acceleration, heat, momentum_load},
+                        body);
+      };
     if (n_heat_stages == 0)
       add(1., heat_lift, heat_lift);
     for (unsigned int i = 0; i < n_heat_stages; ++i)

@@ -8,6 +8,7 @@
 #include <thermocontact/time/box_solver.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -21,6 +22,7 @@ namespace ThermoContact
 
   BoxSolver::BoxSolver(const Body<1> &body)
     : body(body)
+    , kept(max_kept)
   {}
 
 
@@ -38,19 +40,9 @@ namespace ThermoContact
   BoxSolver::Factors &
   BoxSolver::provide(const double size)
   {
-    const auto known =
-      std::find_if(kept.begin(), kept.end(), [size](const Factors &f) {
-        return f.size == size;
-      });
-    if (known != kept.end())
-      {
-        kept.splice(kept.begin(), kept, known);
-        return kept.front();
-      }
+    if (kept.use(size))
+      return kept.front();
     const StopWatch watch(counters_.factorization_seconds);
-    while (kept.size() >= max_kept)
-      kept.pop_back();
-
     using Block                    = RodFactors<1>::Block;
     const Material &material       = body.scene.material;
     const double    tau            = 0.5 * size;
@@ -121,7 +113,7 @@ namespace ThermoContact
              significant(growth, 2),
              ", more digits than a result may lose\n  remedy:  Time/Scheme = ",
              default_scheme().name));
-    kept.push_front(std::move(factors));
+    kept.add(std::move(factors));
     counters_.factorizations += 1 + material.has_viscosity();
     return kept.front();
   }
@@ -180,7 +172,7 @@ namespace ThermoContact
         BoxRates right = make_rates();
         end.set_load_of_node(Field::displacement,
                              node,
-                             0.5 * factors.size,
+                             0.5 * factors.tau,
                              right.velocity);
         add(right);
         for (unsigned int i = 0; i + 1 < n_responses(); ++i)
@@ -246,9 +238,9 @@ namespace ThermoContact
   {
     RetainedFactorizations retained;
     retained.counters = counters_;
-    for (const Factors &factors : kept)
+    for (const Factors &factors : kept.all())
       {
-        retained.taus.push_back(factors.size);
+        retained.taus.push_back(factors.tau);
         retained.has_response.push_back(!factors.responses.empty());
       }
     return retained;

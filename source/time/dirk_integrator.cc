@@ -236,19 +236,45 @@ namespace ThermoContact
         const double weight = tableau->b()[i] * time_step.size;
         result.algebraic += weight * stage.algebraic_power;
         advance(i, tau);
-        book(known, weight, result);
-        result.work += weight * driven.power(known,
-                                             stage.temperature_rate,
-                                             accelerations[i],
-                                             {heat_load, momentum_load});
-        result.add_boundaries(weight,
-                              known,
-                              stage.temperature_rate,
-                              accelerations[i],
-                              heat_load,
-                              momentum_load,
-                              body);
+        result.add_stage(weight,
+                         {known,
+                          stage.temperature_rate,
+                          accelerations[i],
+                          heat_load,
+                          momentum_load},
+                         body);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  DirkIntegrator<dim>::keep_contact(const ContactMode          mode,
+                                    const std::vector<double> &pressure)
+  {
+    const std::vector<bool> is_closed = closed_at_end(mode);
+    if (std::find(is_closed.begin(), is_closed.end(), true) == is_closed.end())
+      return;
+    std::vector<double> displacement;
+    body.contact_end().get_values(Field::displacement,
+                                  difference.displacement,
+                                  displacement);
+    std::vector<AffineLaw> laws(displacement.size());
+    double                 largest = 0.;
+    for (unsigned int i = 0; i < laws.size(); ++i)
+      if (is_closed[i])
+        {
+          laws[i].compliance =
+            NodeLaw(body.scene.contact.law_under(pressure[i], i))
+              .tangent_of_pressure(pressure[i])
+              .compliance;
+          largest = std::max(largest, std::abs(displacement[i]));
+        }
+    if (largest >
+        (body.law().is_rigid() ? Tolerances::negligible_displacement : 0.) *
+          difference.displacement.linfty_norm())
+      stage_solver().subtract_response(laws, displacement, difference);
   }
 
 
@@ -289,7 +315,7 @@ namespace ThermoContact
     add_sum(difference.velocity, rate_sums[2]);
     const std::vector<double> &pressure = result.state.contact_pressure;
     if (can_change_at_once(mode))
-      stage_solver().keep_contact(closed_at_end(mode), pressure, difference);
+      keep_contact(mode, pressure);
     result.error = body.energy.difference_energy(difference, pressure);
   }
 
@@ -344,42 +370,17 @@ namespace ThermoContact
     set_pressures_of_law(body, result.state);
 
     result.start_sums();
-    book(result.state, tau, result);
-    result.work += tau * driven.power(result.state,
-                                      stage.temperature_rate,
-                                      accelerations[0],
-                                      {heat_load, momentum_load});
     if (!driven.is_active())
       set_zero(accelerations[0]); // the velocity stays
-    result.add_boundaries(tau,
-                          result.state,
-                          stage.temperature_rate,
-                          accelerations[0],
-                          heat_load,
-                          momentum_load,
-                          body);
+    result.add_stage(tau,
+                     {result.state,
+                      stage.temperature_rate,
+                      accelerations[0],
+                      heat_load,
+                      momentum_load},
+                     body);
     result.energy = body.energy.energy(result.state);
     result.close_balance();
-  }
-
-
-
-  template <int dim>
-  void
-  DirkIntegrator<dim>::book(const State &stage_state,
-                            const double weight,
-                            StepResult  &result)
-  {
-    result.dissipation += weight * body.energy.dissipation_rate(stage_state);
-    result.contact_dissipation +=
-      weight * body.energy.damping_rate(stage_state);
-    result.lateral_dissipation +=
-      weight * body.energy.lateral_dissipation_rate(stage_state);
-    result.add_impulse(weight, stage_state.contact_pressure, body);
-    if (body.energy.has_work())
-      result.work +=
-        weight * (body.energy.work_rate(heat_load, momentum_load, stage_state) +
-                  body.energy.obstacle_power(stage_state));
   }
 
 

@@ -56,23 +56,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  EnergyConservingIntegrator<dim>::work(const double size,
-                                        const State &new_state)
-  {
-    // contact nodes move from end to end, not along their mean velocity
-    if (contact)
-      for (const auto &[node, entry] :
-           body.contact_end().all_entries(Field::displacement))
-        midpoint.velocity.begin()[entry] = new_state.velocity.begin()[entry];
-    midpoint.contact_pressure = rates.pressure;
-    return size * (body.energy.work_rate(heat_load, momentum_load, midpoint) +
-                   body.energy.obstacle_power(midpoint));
-  }
-
-
-
-  template <int dim>
   void
   EnergyConservingIntegrator<dim>::solve_without_contact(
     const State    &state,
@@ -130,15 +113,13 @@ namespace ThermoContact
     result.start_sums();
     result.n_iterations  = rates.n_iterations;
     result.is_prescribed = false;
-    result.dissipation   = size * body.energy.dissipation_rate(midpoint);
-    result.lateral_dissipation =
-      size * body.energy.lateral_dissipation_rate(midpoint);
-    result.work = body.energy.has_work() ? work(size, result.state) : 0.;
-    result.work += size * driven.power(midpoint,
-                                       rates.temperature_rate,
-                                       acceleration,
-                                       {heat_load, momentum_load});
-    result.impulse = size * body.contact_end().mean(rates.pressure);
+    result.add_dissipation(size, midpoint, body);
+    // contact nodes move from end to end, not along their mean velocity
+    if (contact)
+      for (const auto &[node, entry] :
+           body.contact_end().all_entries(Field::displacement))
+        midpoint.velocity.begin()[entry] = result.state.velocity.begin()[entry];
+    midpoint.contact_pressure = rates.pressure;
     if (body.boundary_flows.is_active())
       {
         set_sum(midpoint.displacement,
@@ -149,14 +130,15 @@ namespace ThermoContact
         acceleration *= 1. / size;
         midpoint.load_time =
           0.5 * (time_step.first_loads + time_step.last_loads);
-        result.add_boundaries(size,
-                              midpoint,
-                              rates.temperature_rate,
-                              acceleration,
-                              heat_load,
-                              momentum_load,
-                              body);
       }
+    result.add_work(size,
+                    {midpoint,
+                     rates.temperature_rate,
+                     acceleration,
+                     heat_load,
+                     momentum_load},
+                    body);
+    result.add_contact(size, midpoint, body);
     result.energy = body.energy.energy(result.state);
     result.close_balance();
   }
@@ -219,7 +201,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < n; ++i)
       {
         const double at_end = // where the local one is
-          touching_displacement(body, laws[i], obstacle.gap[i]);
+          body.scene.contact.place(laws[i].side, i, obstacle.gap[i]);
         free_end[i] = free_position[i] - at_end;
         displacement_scale =
           std::max(displacement_scale,

@@ -151,48 +151,32 @@ namespace ThermoContact
 
   template <int dim>
   void
-  IterativeSolver<dim>::keep_contact(const std::vector<bool>   &is_closed,
-                                     const std::vector<double> &pressure,
-                                     State                     &difference)
+  IterativeSolver<dim>::subtract_response(
+    const std::vector<AffineLaw> &laws,
+    const std::vector<double>    &displacement,
+    State                        &difference)
   {
-    std::vector<double> displacement;
-    body.contact_end().get_values(Field::displacement,
-                                  difference.displacement,
-                                  displacement);
-    double largest = 0.;
-    for (unsigned int i = 0; i < displacement.size(); ++i)
-      if (is_closed[i])
-        largest = std::max(largest, std::abs(displacement[i]));
-    if (largest <=
-        (body.law().is_rigid() ? Tolerances::negligible_displacement : 0.) *
-          difference.displacement.linfty_norm())
-      return;
-
-    const StopWatch    watch(counters_.solve_seconds);
-    const unsigned int n_made = stage.preconditioners().n_made();
+    const StopWatch     watch(counters_.solve_seconds);
+    const unsigned int  n_made = stage.preconditioners().n_made();
+    std::vector<double> misfit(displacement);
+    for (double &one : misfit)
+      one *= -1.;
     stage.prepare_pressures();
-    std::vector<AffineLaw> laws(displacement.size());
-    for (unsigned int i = 0; i < laws.size(); ++i)
-      {
-        if (is_closed[i])
-          laws[i].compliance =
-            NodeLaw(body.scene.contact.law_under(pressure[i], i))
-              .tangent_of_pressure(pressure[i])
-              .compliance;
-        displacement[i] *= -1.;
-      }
     this->scale = stage.length();
-    this->set_tangents(laws, displacement, stage.length());
+    this->set_tangents(laws, misfit, stage.length());
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     count(stage.solve(Tolerances::estimate_residual,
                       IterativeStage<dim>::Measure::of_start));
-    const double  tau       = stage.length();
-    const double  viscosity = body.scene.material.viscosity;
-    const Vector &v         = stage.unknowns(Field::displacement);
-    difference.displacement.add(-tau, v);
-    difference.velocity.add(-viscosity / (viscosity + tau), v);
-    if (body.scene.fields.has_temperature)
-      difference.temperature.add(-1., stage.unknowns(Field::temperature));
+    static const Vector none;
+    this->subtract(1.,
+                   stage.length(),
+                   body.scene.material.viscosity,
+                   stage.unknowns(Field::displacement),
+                   1.,
+                   body.scene.fields.has_temperature ?
+                     stage.unknowns(Field::temperature) :
+                     none,
+                   difference);
   }
 
 

@@ -159,7 +159,7 @@ namespace ThermoContact
   {
     provide(stage_length);
     if (!last_contact.empty())
-      hierarchies.set_contact(last_contact);
+      hierarchies.set_springs(last_contact);
   }
 
 

@@ -28,7 +28,7 @@ namespace ThermoContact
   MonolithicSolver<dim>::MonolithicSolver(const Body<dim> &body)
     : body(body)
     , exchange(*body.scene.heat.exchange)
-    , max_factorizations(
+    , factorizations(
         n_kept_factorizations(dim, body.discretization.dof_handler().n_dofs()))
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
@@ -52,18 +52,9 @@ namespace ThermoContact
   void
   MonolithicSolver<dim>::provide_factorization(const double tau)
   {
-    const auto known =
-      std::find_if(factorizations.begin(),
-                   factorizations.end(),
-                   [tau](const Factorization &f) { return f.tau == tau; });
-    if (known != factorizations.end())
-      {
-        factorizations.splice(factorizations.begin(), factorizations, known);
-        return;
-      }
+    if (factorizations.use(tau))
+      return;
     const StopWatch watch(counters_.factorization_seconds);
-    while (factorizations.size() >= max_factorizations)
-      factorizations.pop_back();
     keep(tau, LinearSystem<dim>(body.equations, stage_coefficients(tau)));
   }
 
@@ -86,7 +77,7 @@ namespace ThermoContact
   void
   MonolithicSolver<dim>::keep(const double tau, LinearSystem<dim> &&made)
   {
-    factorizations.push_front({tau, std::move(made), {}, EndResponse()});
+    factorizations.add({tau, std::move(made), {}, EndResponse()});
     const LinearSystem<dim> &system = factorizations.front().system;
     counters_.factorizations += system.n_factorizations();
     if (system.refused_growth() > 0. &&
@@ -194,7 +185,7 @@ namespace ThermoContact
     retained.has_refused_blocks = has_refused_blocks;
     if (body.nonlinear)
       return retained; // each stage has its own
-    for (const Factorization &factorization : factorizations)
+    for (const Factorization &factorization : factorizations.all())
       {
         retained.taus.push_back(factorization.tau);
         retained.has_response.push_back(factorization.has_response());
@@ -413,42 +404,30 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::keep_contact(const std::vector<bool>   &is_closed,
-                                      const std::vector<double> &pressure,
-                                      State                     &difference)
+  MonolithicSolver<dim>::subtract_response(
+    const std::vector<AffineLaw> &laws,
+    const std::vector<double>    &displacement,
+    State                        &difference)
   {
-    if (std::find(is_closed.begin(), is_closed.end(), true) == is_closed.end())
-      return;
-    std::vector<double> displacement;
-    body.contact_end().get_values(Field::displacement,
-                                  difference.displacement,
-                                  displacement);
     const FullMatrix<double> &receptance = response();
-    std::vector<double>       slope(is_closed.size(), 0.);
+    std::vector<double>       slope(laws.size());
     for (unsigned int i = 0; i < slope.size(); ++i)
-      if (is_closed[i])
-        slope[i] = NodeLaw(body.scene.contact.law_under(pressure[i], i))
-                     .tangent_of_pressure(pressure[i])
-                     .slope(receptance(i, i));
-    const std::vector<double> change =
+      slope[i] = laws[i].slope(receptance(i, i));
+    const std::vector<double> pressure =
       change_of_pressure(receptance, slope, displacement);
-
-    // Viscous stress alone has carried the displacement of the nodes into the
-    // velocity of the others: elastic stress does so with higher order.
     const Factorization &factorization = factorizations.front();
-    const double         tau           = factorization.tau;
-    const double         viscosity     = body.scene.material.viscosity;
-    for (unsigned int j = 0; j < change.size(); ++j)
-      if (const double p = change[j]; p != 0.)
+    for (unsigned int j = 0; j < pressure.size(); ++j)
+      if (pressure[j] != 0.)
         {
-          const UnitResponse &unit_response =
+          const UnitResponse &unit =
             factorization.unit_responses[Field::displacement][j];
-          difference.displacement.add(-p * tau, unit_response.velocity);
-          difference.velocity.add(-p * viscosity / (viscosity + tau),
-                                  unit_response.velocity);
-          if (body.equations.is_coupled())
-            difference.temperature.add(-p * tau,
-                                       unit_response.temperature_rate);
+          this->subtract(pressure[j],
+                         factorization.tau,
+                         body.scene.material.viscosity,
+                         unit.velocity,
+                         factorization.tau,
+                         unit.temperature_rate,
+                         difference);
         }
   }
 

@@ -7,7 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <array>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -20,20 +20,12 @@ namespace ThermoContact
     if (max(failure.empty() ? 0 : 1, communicator) == 1 && failure.empty())
       failure = "another rank has failed";
     std::vector<double> values;
-    const auto          visit = [this](const auto &act) {
-      for (double *value : {&work,
-                            &dissipation,
-                            &lateral_dissipation,
-                            &numerical_dissipation,
-                            &algebraic,
-                            &contact_dissipation,
-                            &impulse})
-        act(*value);
-    };
-    visit([&](const double value) { values.push_back(value); });
-    values              = broadcast(communicator, values);
-    unsigned int n_read = 0;
-    visit([&](double &value) { value = values[n_read++]; });
+    for_each_number(
+      [&](double S::*const number) { values.push_back(this->*number); });
+    values      = broadcast(communicator, values);
+    auto agreed = values.begin();
+    for_each_number(
+      [&](double S::*const number) { this->*number = *agreed++; });
   }
 
 

@@ -204,7 +204,7 @@ namespace
     const auto          set  = [&](const double first, const double second) {
       springs[0] = first;
       springs[1] = second;
-      hierarchies.set_contact(springs);
+      hierarchies.set_springs(springs);
       deallog << ' ' << hierarchies.n_made();
     };
     set(0., 0.);
@@ -227,7 +227,7 @@ namespace
         body.contact_end().get_values(Field::displacement, values, springs);
         for (double &spring : springs)
           spring = is_rigid && spring > 0. ? held : spring;
-        hierarchies.set_contact(springs);
+        hierarchies.set_springs(springs);
         StageMultigrid<2, float> cycle(hierarchies.levels(),
                                        Field::displacement,
                                        2.);

@@ -5,7 +5,9 @@
 
 #include <thermocontact/contact/exchange_stage.h>
 #include <thermocontact/contact/heat_exchange.h>
+#include <thermocontact/method/bracketed_root.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace ThermoContact
@@ -49,6 +51,49 @@ namespace ThermoContact
                              const EndResponse          &response,
                              const std::vector<NodeLaw> &laws,
                              EndExchange                &end);
+
+
+
+  /** Ends a search. @throw ComputationError */
+  [[noreturn]] void
+  give_up_exchange(const unsigned int n_nodes);
+
+
+
+  /**
+   * The root of the excess of a coefficient over the law at its contact, from
+   * @p k in the direction of the law to the first change of sign, which is
+   * bracketed.
+   *
+   * @param excess not positive at 0, positive for large coefficients
+   * @param n_nodes of the contact, for the message
+   * @throw ComputationError if no change of sign is found
+   */
+  template <typename Excess>
+  double
+  coefficient_next_to(const double       k,
+                      const Excess      &excess,
+                      const unsigned int n_nodes)
+  {
+    double a = k, excess_a = excess(a);
+    if (excess_a == 0.)
+      return a;
+    double stride = -excess_a;
+    for (unsigned int n = 0; n < 200; ++n, stride *= 2.)
+      {
+        const double b        = std::max(0., a + stride);
+        const double excess_b = excess(b);
+        if (excess_b == 0.)
+          return b;
+        if ((excess_a < 0.) != (excess_b < 0.))
+          return a < b ?
+                   bracketed_root(excess, a, b, excess_a, excess_b).first :
+                   bracketed_root(excess, b, a, excess_b, excess_a).first;
+        a        = b;
+        excess_a = excess_b;
+      }
+    give_up_exchange(n_nodes);
+  }
 
 
 

@@ -3,6 +3,7 @@
 #ifndef thermocontact_multigrid_stage_hierarchies_h
 #define thermocontact_multigrid_stage_hierarchies_h
 
+#include <thermocontact/base/recently_used.h>
 #include <thermocontact/multigrid/stage_multigrid.h>
 #include <thermocontact/space/linear_system.h>
 
@@ -55,14 +56,7 @@ namespace ThermoContact
      * that it has while none is half or twice as stiff.
      */
     void
-    set_contact(const std::vector<double> &springs);
-
-    /** The same. */
-    void
-    set_springs(const std::vector<double> &springs) override
-    {
-      set_contact(springs);
-    }
+    set_springs(const std::vector<double> &springs) override;
 
     /** The current V-cycle of a field. */
     void
@@ -93,7 +87,7 @@ namespace ThermoContact
     const std::list<Hierarchy> &
     all() const
     {
-      return hierarchies;
+      return hierarchies.all();
     }
 
     void
@@ -105,7 +99,7 @@ namespace ThermoContact
   private:
     const Body<dim>                  &body;
     const MultigridLevels<dim, float> levels_;
-    std::list<Hierarchy>              hierarchies;
+    RecentlyUsed<Hierarchy>           hierarchies;
     unsigned int                      n_made_ = 0;
   };
 } // namespace ThermoContact

@@ -392,6 +392,14 @@ namespace ThermoContact
       return node < pair_laws.size() ? infinity : rear_gap;
     }
 
+    /** The displacement with which a node touches the obstacle in front, 1,
+     * that is at this gap, or the one behind, -1. */
+    double
+    place(const int side, const unsigned int node, const double gap) const
+    {
+      return side > 0 ? gap : -rear_gap_at(node);
+    }
+
     /** True if an obstacle in front of a node at this gap reaches the one
      * behind. */
     bool

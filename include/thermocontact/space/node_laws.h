@@ -105,14 +105,6 @@ namespace ThermoContact
                      const State     &state,
                      ContactValues   &values);
 
-  /** Displacement of a node that touches its local obstacle, of @p gap if that
-   * is in front. */
-  template <int dim>
-  double
-  touching_displacement(const Body<dim> &body,
-                        const NodeLaw   &law,
-                        const double     gap);
-
   /** All contact nodes touch the obstacle that is local to them. Collective. */
   template <int dim>
   void

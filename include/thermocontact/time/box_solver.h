@@ -3,12 +3,12 @@
 #ifndef thermocontact_time_box_solver_h
 #define thermocontact_time_box_solver_h
 
+#include <thermocontact/base/recently_used.h>
 #include <thermocontact/rod/rod_factors.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/time/stage_solver.h>
 
 #include <array>
-#include <list>
 #include <memory>
 
 namespace ThermoContact
@@ -112,7 +112,7 @@ namespace ThermoContact
 
     struct Factors
     {
-      double                               size;
+      double                               tau; ///< size of the step
       std::unique_ptr<const RodFactors<3>> with_heat;
       std::unique_ptr<const RodFactors<1>> alone;
       std::unique_ptr<const RodFactors<1>> viscous;
@@ -122,7 +122,7 @@ namespace ThermoContact
       std::vector<BoxRates> responses;
     };
 
-    std::list<Factors> kept; ///< the one used last in front
+    RecentlyUsed<Factors> kept;
 
     /** The factors of a step by @p size. */
     Factors &

@@ -158,6 +158,14 @@ namespace ThermoContact
                       const ContactMode mode,
                       StepResult       &result) const;
 
+    /**
+     * Takes out of the difference to the embedded scheme what the contact
+     * condition forbids, doc/contact-in-time.md (C3.2): nodes in contact at the
+     * end of the step, where they have these pressures, stay with the obstacle.
+     */
+    void
+    keep_contact(const ContactMode mode, const std::vector<double> &pressure);
+
     /** The difference to the embedded scheme, (D3.3), (C3.2). */
     void
     estimate_error(const double      step_size,
@@ -185,10 +193,6 @@ namespace ThermoContact
     /** The temperature rate of the paper's first step. */
     void
     solve_heat_alone(const State &state, const double tau, Vector &rate);
-
-    /** Adds the stage that ends in @p stage_state with its weight. */
-    void
-    book(const State &stage_state, const double weight, StepResult &result);
   };
 } // namespace ThermoContact
 

@@ -53,27 +53,6 @@ namespace ThermoContact
              StageRates        &rates,
              Vector            &acceleration) const;
 
-    /**
-     * Power of the drive of the end in a stage that ends in @p state, (D6.3),
-     * positive into the body, per unit cross-section, nondimensional; 0 where
-     * the end rests. Collective.
-     *
-     * @param loads of the stage, without the motion of the end
-     */
-    double
-    power(const State      &state,
-          const Vector     &temperature_rate,
-          const Vector     &acceleration,
-          const StageLoads &loads) const
-    {
-      return is_active() ? body.driven_end.power(state,
-                                                 temperature_rate,
-                                                 acceleration,
-                                                 loads.heat,
-                                                 loads.momentum) :
-                           0.;
-    }
-
   private:
     const Body<dim> &body;
     Vector           heat_load;

@@ -81,10 +81,6 @@ namespace ThermoContact
     void
     solve_without_contact(const State &state, const TimeStep &time_step);
 
-    /** Work of loads and of heat that drives the body, (D4.4). */
-    double
-    work(const double size, const State &new_state);
-
     /**
      * Loads of a step: those at its middle, but for the contact nodes the mean
      * ones of both ends, with which they are in equilibrium.

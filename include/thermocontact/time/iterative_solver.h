@@ -43,9 +43,9 @@ namespace ThermoContact
     }
 
     void
-    keep_contact(const std::vector<bool>   &is_closed,
-                 const std::vector<double> &pressure,
-                 State                     &difference) override;
+    subtract_response(const std::vector<AffineLaw> &laws,
+                      const std::vector<double>    &displacement,
+                      State                        &difference) override;
 
     /** The coarsest level, of one field. */
     types::global_dof_index

@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_monolithic_solver_h
 #define thermocontact_time_monolithic_solver_h
 
+#include <thermocontact/base/recently_used.h>
 #include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/contact/interface_problem.h>
 #include <thermocontact/space/body.h>
@@ -10,7 +11,6 @@
 #include <thermocontact/time/stage_solver.h>
 
 #include <array>
-#include <list>
 #include <memory>
 #include <vector>
 
@@ -57,9 +57,9 @@ namespace ThermoContact
               std::unique_ptr<const ThermoviscoelasticOperator<dim>> tangents);
 
     void
-    keep_contact(const std::vector<bool>   &is_closed,
-                 const std::vector<double> &pressure,
-                 State                     &difference) override;
+    subtract_response(const std::vector<AffineLaw> &laws,
+                      const std::vector<double>    &displacement,
+                      State                        &difference) override;
 
     types::global_dof_index
     n_factorized_unknowns() const override;
@@ -126,9 +126,8 @@ namespace ThermoContact
       }
     };
 
-    const unsigned int       max_factorizations;
-    std::list<Factorization> factorizations; ///< the one used last in front
-    bool                     has_refused_blocks = false;
+    RecentlyUsed<Factorization> factorizations;
+    bool                        has_refused_blocks = false;
 
     Vector              heat_rhs;
     Vector              momentum_rhs;

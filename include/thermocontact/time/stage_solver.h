@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/types.h>
 #include <thermocontact/contact/contact_law.h>
+#include <thermocontact/contact/interface_law.h>
 #include <thermocontact/space/state.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -158,19 +159,17 @@ namespace ThermoContact
           StageRates   &rates) = 0;
 
     /**
-     * Takes out of the difference between two results of a step what the
-     * contact condition forbids, doc/contact-in-time.md (C3.2): nodes in
-     * contact stay with the obstacle, by pressures in the stage that was solved
-     * last. A solver without responses to pressures leaves the difference as it
-     * is.
+     * Takes from the difference between two results of a step the response of
+     * the stage that was solved last to pressures: those that the laws have
+     * where they bring the contact nodes back from this displacement.
      *
-     * Arguments: the nodes in contact at the end of the step, their pressures,
-     * and, in and out, the difference $e_\theta$, $e_u$, $e_v$.
+     * Arguments: tangents of closed nodes, others are open; that displacement;
+     * in, out: the difference $e_\theta$, $e_u$, $e_v$.
      */
     virtual void
-    keep_contact(const std::vector<bool> & /*is_closed*/,
-                 const std::vector<double> & /*pressure*/,
-                 State & /*difference*/)
+    subtract_response(const std::vector<AffineLaw> & /*laws*/,
+                      const std::vector<double> & /*displacement*/,
+                      State & /*difference*/)
     {}
 
     /** Unknowns of the largest matrix that is factorised; 0: there is none. */
@@ -211,6 +210,30 @@ namespace ThermoContact
   protected:
     SolverCounters           counters_;
     std::vector<std::string> warnings;
+
+    /**
+     * Takes @p load times the response to a load from a difference.
+     *
+     * @param tau,viscosity of the stage; $\zeta$ of the body
+     * @param heat of the response: the temperature, per @p heating; a vector
+     *   without entries: it does not change
+     */
+    static void
+    subtract(const double  load,
+             const double  tau,
+             const double  viscosity,
+             const Vector &velocity,
+             const double  heating,
+             const Vector &heat,
+             State        &difference)
+    {
+      difference.displacement.add(-load * tau, velocity);
+      // Viscous stress alone has carried the displacement of the nodes into the
+      // velocity of the others: elastic stress does so with higher order.
+      difference.velocity.add(-load * viscosity / (viscosity + tau), velocity);
+      if (heat.size() > 0)
+        difference.temperature.add(-load * heating, heat);
+    }
   };
 } // namespace ThermoContact
 

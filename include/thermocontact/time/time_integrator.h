@@ -5,10 +5,10 @@
 
 #include <thermocontact/contact/contact_law.h>
 #include <thermocontact/contact/event_locator.h>
-#include <thermocontact/space/body.h>
 #include <thermocontact/space/state.h>
 #include <thermocontact/time/stage_solver.h>
 #include <thermocontact/time/step_controller.h>
+#include <thermocontact/time/step_sums.h>
 
 #include <memory>
 #include <optional>
@@ -17,24 +17,12 @@
 namespace ThermoContact
 {
   /** A step that has been computed but not yet accepted. */
-  struct StepResult
+  struct StepResult : StepSums
   {
-    State       state;                      ///< at the end of the step
-    EnergyTerms energy;                     ///< of that state
-    EnergyTerms error;                      ///< its estimate, (D3.3)
-    double      old_energy            = 0.; ///< where the step starts
-    double      work                  = 0.; ///< $W$
-    double      dissipation           = 0.; ///< $D$
-    double      lateral_dissipation   = 0.; ///< the part (D4.5) of $D$
-    double      numerical_dissipation = 0.; ///< $N$
-    double      algebraic             = 0.; ///< $A$, (D8.5)
-    double      contact_dissipation   = 0.; ///< by the obstacle, (D4.7)
-    double      impulse               = 0.; ///< of the contact force
-
-    /** The same of each contact of a row; else empty. */
-    std::vector<double> impulses;
-
-    BoundarySums boundaries; ///< with Output/Boundaries
+    State       state;           ///< at the end of the step
+    EnergyTerms energy;          ///< of that state
+    EnergyTerms error;           ///< its estimate, (D3.3)
+    double      old_energy = 0.; ///< where the step starts
 
     unsigned int n_iterations  = 0;     ///< of the stages, added up
     bool         is_prescribed = false; ///< the paper's first step, (D5.1)
@@ -57,52 +45,6 @@ namespace ThermoContact
 
     std::string failure; ///< empty: the step is solved
 
-    /** Adds to the impulse what these pressures have in a time. */
-    template <int dim>
-    void
-    add_impulse(const double               duration,
-                const std::vector<double> &pressure,
-                const Body<dim>           &body)
-    {
-      impulse += duration * body.contact_end().mean(pressure);
-      if (!body.scene.row.is_given())
-        return;
-      impulses.resize(pressure.size(), 0.);
-      for (unsigned int i = 0; i < pressure.size(); ++i)
-        impulses[i] += duration * pressure[i];
-    }
-
-    /** Starts the sums of a step. */
-    void
-    start_sums()
-    {
-      work = dissipation = algebraic = impulse = 0.;
-      contact_dissipation = lateral_dissipation = 0.;
-      impulses.clear();
-      boundaries = {};
-    }
-
-    /** Adds what goes through the boundary in a time: BoundaryFlows::rates().
-     */
-    template <int dim>
-    void
-    add_boundaries(const double  duration,
-                   const State  &stage,
-                   const Vector &temperature_rate,
-                   const Vector &acceleration,
-                   const Vector &heat_load,
-                   const Vector &momentum_load,
-                   Body<dim>    &body)
-    {
-      if (body.boundary_flows.is_active())
-        boundaries.add(duration,
-                       body.boundary_flows.rates(stage,
-                                                 temperature_rate,
-                                                 acceleration,
-                                                 heat_load,
-                                                 momentum_load));
-    }
-
     /** The numerical dissipation becomes what the balance of the rest lacks. */
     void
     close_balance()
@@ -112,8 +54,8 @@ namespace ThermoContact
     }
 
     /**
-     * All ranks take work, dissipations, $A$ and impulse of rank 0, as energies
-     * are, and the failure of any, so that they decide alike. Collective.
+     * All ranks take the numbers of StepSums of rank 0, as energies are, and
+     * the failure of any, so that they decide alike. Collective.
      */
     void
     agree(const MPI_Comm communicator);
