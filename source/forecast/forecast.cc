@@ -201,14 +201,8 @@ namespace ThermoContact
         for (const double point : time.break_points)
           cost.steps += point > 0. && point < T;
       }
-    if (output.land_on_times)
-      for (const double interval : {output.contact_interval,
-                                    output.fields_interval,
-                                    output.space_time_interval})
-        if (interval > 0.)
-          cost.steps += T / interval;
-    if (output.period > 0.)
-      cost.steps += T / output.period;
+    for (const double interval : output.landing_intervals())
+      cost.steps += T / interval;
 
     const bool has_heat = scene.fields.has_temperature;
     const bool moves    = scene.fields.has_displacement;

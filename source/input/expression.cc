@@ -701,6 +701,16 @@ namespace ThermoContact
 
 
 
+  std::string
+  Expression::doubt_beyond(const std::string &file,
+                           const std::string &where) const
+  {
+    return path() + ": " + quote(file) + " has no row " + where +
+           ": the value of its nearest row holds there";
+  }
+
+
+
   std::vector<std::string>
   Expression::doubts_of_tables() const
   {

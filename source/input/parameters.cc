@@ -363,6 +363,22 @@ namespace ThermoContact
 
 
 
+  std::vector<double>
+  OutputParameters::landing_intervals() const
+  {
+    std::vector<double> intervals;
+    if (land_on_times)
+      for (const double interval :
+           {fields_interval, contact_interval, space_time_interval})
+        if (interval > 0.)
+          intervals.push_back(interval);
+    if (period > 0.)
+      intervals.push_back(period);
+    return intervals;
+  }
+
+
+
   void
   OutputParameters::add_parameters(ParameterHandler &prm)
   {

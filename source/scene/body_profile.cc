@@ -63,9 +63,8 @@ namespace ThermoContact
           continue; // its temperatures are those of a scene
         const double corner[4] = {width, width, 0., 1.};
         for (const std::string &file : one->tables_left(corner))
-          doubts_.push_back(one->path() + ": " + quote(file) +
-                            " has no row at the far end of the body: the value "
-                            "of its nearest row holds there");
+          doubts_.push_back(
+            one->doubt_beyond(file, "at the far end of the body"));
       }
     for (unsigned int d = 0; d < parameters.dimension; ++d)
       {

@@ -338,14 +338,9 @@ namespace ThermoContact
               continue; // its temperatures are those of a scene
             const double variables[4] = {0., 0., 0., is_end ? length : 0.};
             for (const std::string &file : one->tables_left(variables))
-              all_doubts.push_back(
-                text(one->path(),
-                     ": ",
-                     quote(file),
-                     " has no row at the ",
-                     is_end ? "right" : "left",
-                     " end of the rod: the value of its nearest row holds "
-                     "there"));
+              all_doubts.push_back(one->doubt_beyond(
+                file,
+                text("at the ", is_end ? "right" : "left", " end of the rod")));
           }
       }
     return all_doubts;

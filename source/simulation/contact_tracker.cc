@@ -51,8 +51,6 @@ namespace ThermoContact
                              std::vector<ContactEvent> &events)
   {
     get_contact_values(body, initial, next);
-    if (!is_of_several())
-      return locators[0].start(next, events);
     std::vector<ContactEvent> all;
     for (unsigned int i = 0; i < locators.size(); ++i)
       {
@@ -194,6 +192,7 @@ namespace ThermoContact
   void
   ContactTracker<dim>::accept_several(const StepResult            &result,
                                       const EventLocator::Finding &finding,
+                                      const std::size_t            first,
                                       std::vector<ContactEvent>   &events)
   {
     using Finding = EventLocator::Finding;
@@ -224,7 +223,7 @@ namespace ThermoContact
             events.push_back(event);
           }
       }
-    std::stable_sort(events.begin() + n_old_events,
+    std::stable_sort(events.begin() + first,
                      events.end(),
                      [](const ContactEvent &a, const ContactEvent &b) {
                        return a.time < b.time;
@@ -246,7 +245,7 @@ namespace ThermoContact
     n_old_events = events.size();
     if (is_of_several())
       {
-        accept_several(result, finding, events);
+        accept_several(result, finding, n_old_events, events);
         n_retakes = 0;
         return reset.finish_pressure(mode(), finding, result);
       }
@@ -280,13 +279,21 @@ namespace ThermoContact
     if (is_impact)
       reset.impact(result);
     if (is_impact || finding.kind == EventLocator::Finding::at_end)
-      {
-        // contact that ends at once ends with the velocities of stopped nodes
-        get_contact_values(body, result.state, next);
-        locator.set_present(next);
-      }
+      // contact that ends at once ends with the velocities of stopped nodes
+      set_present(result.state);
     if (impacted)
       result.add(*impacted);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTracker<dim>::set_present(const State &state)
+  {
+    get_contact_values(body, state, next);
+    for (unsigned int i = 0; i < locators.size(); ++i)
+      locators[i].set_present(of_contact(next, i));
   }
 
 
@@ -325,12 +332,7 @@ namespace ThermoContact
       reset.impact(result);
     else
       reset.settle_velocities(closed_nodes(result), state);
-    get_contact_values(body, state, next);
-    if (is_of_several())
-      for (unsigned int i = 0; i < locators.size(); ++i)
-        locators[i].set_present(of_contact(next, i));
-    else
-      locator.set_present(next);
+    set_present(state);
     if (is_held && towards <= continuous && away > continuous)
       locator.switch_at_start(state.time); // nodes with inertia do not follow
     else if (std::max(towards, away) > continuous &&
@@ -348,11 +350,9 @@ namespace ThermoContact
     ContactValues values;
     get_contact_values(body, result.state, values);
     std::vector<bool> is_closed;
-    if (is_of_several())
-      for (unsigned int i = 0; i < locators.size(); ++i)
-        is_closed.push_back(locators[i].closed_nodes(of_contact(values, i))[0]);
-    else
-      is_closed = locators[0].closed_nodes(values);
+    for (unsigned int i = 0; i < locators.size(); ++i)
+      for (const bool one : locators[i].closed_nodes(of_contact(values, i)))
+        is_closed.push_back(one);
     for (unsigned int i = 0; i < result.closed_nodes.size(); ++i)
       if (result.closed_nodes[i])
         is_closed[i] = true;
@@ -371,9 +371,8 @@ namespace ThermoContact
       {
         StepResult at_jump;
         at_jump.state = state;
-        n_old_events  = n_events;
         finish_by_law();
-        accept_several(at_jump, {}, events);
+        accept_several(at_jump, {}, n_events, events);
       }
     else
       {

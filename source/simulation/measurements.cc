@@ -285,11 +285,7 @@ namespace ThermoContact
                                              state.temperature);
         record.temperature_end += record.obstacle_temperature;
       }
-    for (unsigned int i = 0; i < contact_values.size(); ++i)
-      contact_values[i] = body.surroundings.flux(i,
-                                                 state.exchange_coefficient[i],
-                                                 contact_values[i],
-                                                 state.load_time);
+    body.surroundings.to_fluxes(state, contact_values);
     record.heat_flux_end     = body.scene.heat.right_temperature ?
                                  nan : // from the state alone it is not known
                              body.contact_end().mean(contact_values);

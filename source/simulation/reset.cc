@@ -402,11 +402,7 @@ namespace ThermoContact
             body.contact_end().get_values(Field::temperature,
                                           state.temperature,
                                           flux);
-            for (unsigned int i = 0; i < flux.size(); ++i)
-              flux[i] = body.surroundings.flux(i,
-                                               state.exchange_coefficient[i],
-                                               flux[i],
-                                               state.load_time);
+            body.surroundings.to_fluxes(state, flux);
             body.contact_end().subtract_load(Field::temperature,
                                              flux,
                                              1.,

@@ -122,15 +122,13 @@ namespace ThermoContact
     if (scene.heat.exchange->is_in_matrices() || scene.heat.right_temperature)
       return 0.;
     const ContactEnd<dim> &end = discretization.contact_end();
-    std::vector<double>    temperature;
-    end.get_values(Field::temperature, state.temperature, temperature);
+    std::vector<double>    flux;
+    end.get_values(Field::temperature, state.temperature, flux);
+    surroundings.to_fluxes(state, flux);
     double sum = 0.;
-    for (unsigned int i = 0; i < temperature.size(); ++i)
+    for (unsigned int i = 0; i < flux.size(); ++i)
       if (!end.nodes()[i].has_partner(Field::temperature))
-        sum -= end.share(i) * surroundings.flux(i,
-                                                state.exchange_coefficient[i],
-                                                temperature[i],
-                                                state.load_time);
+        sum -= end.share(i) * flux[i];
     return sum;
   }
 

@@ -366,9 +366,7 @@ namespace ThermoContact
                   told += " or " + where;
             }
           for (const auto &[file, told] : places)
-            doubts.push_back(one->path() + ": " + quote(file) + " has no row " +
-                             told +
-                             ": the value of its nearest row holds there");
+            doubts.push_back(one->doubt_beyond(file, told));
         }
     }
   } // namespace
@@ -418,13 +416,10 @@ namespace ThermoContact
           const double variables[] = {1., 0., 0., at};
           for (const std::string &file :
                load.expression().tables_left(variables))
-            warnings.push_back(
-              text(load.expression().path(),
-                   ": ",
-                   quote(file),
-                   " has no row at t = ",
-                   QuantityUnits(scene.parameters).text_for_entry("time", at),
-                   ": the value of its nearest row holds there"));
+            warnings.push_back(load.expression().doubt_beyond(
+              file,
+              "at t = " +
+                QuantityUnits(scene.parameters).text_for_entry("time", at)));
         }
     for (const Load &load : loads)
       if (time.end_time > 0. &&

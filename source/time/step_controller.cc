@@ -101,20 +101,13 @@ namespace ThermoContact
     , maximum_size(time.maximum_step_size)
     , order(order)
     , ladder(ladder)
+    , landing_intervals(output.landing_intervals())
     , size(fixed_size)
     , chosen_size(size)
     , last_error(1.)
     , was_rejected(false)
     , is_restarting(false)
   {
-    if (output.land_on_times)
-      for (const double interval : {output.fields_interval,
-                                    output.contact_interval,
-                                    output.space_time_interval})
-        if (interval > 0.)
-          landing_intervals.push_back(interval);
-    if (output.period > 0.)
-      landing_intervals.push_back(output.period);
     if (!has_error_control)
       return;
     // A guess in the time unit of the heat equation; the error estimate of

@@ -108,6 +108,10 @@ namespace ThermoContact
     std::vector<std::string>
     tables_left(const double *variables) const;
 
+    /** The doubt about one of tables_left(): @p where it has no row. */
+    std::string
+    doubt_beyond(const std::string &file, const std::string &where) const;
+
     /** Doubts about its tables, for the user to look at. */
     std::vector<std::string>
     doubts_of_tables() const;

@@ -354,6 +354,10 @@ namespace ThermoContact
     bool        is_si               = true;  ///< if there are scales
     bool        has_error_bars      = false;
 
+    /** Steps end on multiples of each of these. */
+    std::vector<double>
+    landing_intervals() const;
+
     void
     add_parameters(ParameterHandler &prm);
   };

@@ -155,10 +155,12 @@ namespace ThermoContact
     mutable ContactValues        next;      ///< scratch
     mutable ContactValues        of_one;    ///< likewise
 
-    /** The values of a contact of a row; valid until the next call. */
+    /** The values that a locator looks at; valid until the next call. */
     const ContactValues &
     of_contact(const ContactValues &values, const unsigned int contact) const
     {
+      if (!is_of_several())
+        return values;
       values.get_node(contact, of_one);
       return of_one;
     }
@@ -174,11 +176,17 @@ namespace ThermoContact
     EventLocator::Finding
     judge_several(const bool is_aimed, const BodyScales &scales) const;
 
-    /** The contacts of a row have events of their own. */
+    /** The contacts of a row have events of their own, which are sorted from
+     * this one on. */
     void
     accept_several(const StepResult            &result,
                    const EventLocator::Finding &finding,
+                   const std::size_t            first,
                    std::vector<ContactEvent>   &events);
+
+    /** The present state of all contacts becomes that of the values. */
+    void
+    set_present(const State &state);
 
     /** No contact is supposed to stay as it is. */
     void

@@ -94,10 +94,10 @@ namespace ThermoContact
 
     /**
      * Impact of all contact nodes on a rigid obstacle: they are put on it, and
-     * an impulse through the mass matrix takes their velocity into it away, so
-     * that the velocity jumps to the nearest one, in the norm of the kinetic
-     * energy, with which all of them stay there (C4.1), those too that moved
-     * away: contact changes at all nodes together. Nodes without mass need no
+     * an impulse through the mass matrix changes the velocity to the nearest
+     * one, in the norm of the kinetic energy, with which all of them stay there
+     * (C4.1), also nodes that moved away, since contact changes at all
+     * together. Nodes without mass need no
      * impulse; a body without inertia has the velocity and pressures of (D5.2).
      *
      * @param result state and energy become those behind it; impulse, work of

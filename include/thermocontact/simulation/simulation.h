@@ -36,7 +36,7 @@ namespace ThermoContact
    *
    * The body moves as a hybrid system: smoothly as long as contact stays as it
    * is and inputs are smooth; where contact begins or ends, or an input has a
-   * discontinuity, what its order does not hold changes at once, by the reset
+   * discontinuity, what the equations do not keep continuous jumps: the reset
    * $R$ (Reset). A step goes from $x$ at time $t$ to $x'$ at $t'$; $m$ is the
    * state of contact that it supposes (open, closed, or the law in every
    * stage).

@@ -7,6 +7,7 @@
 #include <thermocontact/input/time_function.h>
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/contact_end.h>
+#include <thermocontact/space/state.h>
 
 #include <vector>
 
@@ -56,6 +57,19 @@ namespace ThermoContact
          const double       time) const
     {
       return coefficient * (of_body - temperature(node, time));
+    }
+
+    /**
+     * flux() of all nodes of a state, by its coefficients.
+     *
+     * @param values in: temperatures of the contact nodes; out: the fluxes
+     */
+    void
+    to_fluxes(const State &state, std::vector<double> &values) const
+    {
+      for (unsigned int i = 0; i < values.size(); ++i)
+        values[i] =
+          flux(i, state.exchange_coefficient[i], values[i], state.load_time);
     }
 
     /** What the law of the exchange is told of a node. */

@@ -24,10 +24,10 @@ namespace ThermoContact
   /**
    * Scalars that are functions of time, in the stages of a Runge-Kutta step:
    * temperatures and displacements of the fixed end, gaps of an obstacle that
-   * moves; doc/discretisation.md (D6.1), (C8.1). Their rates are those of the
-   * functions, all of them shifted by what lets the step end at the value
-   * there, and their values follow them as all other unknowns do: so schemes
-   * keep their orders. A motion with inertia has rates that follow the second
+   * moves; doc/discretisation.md (D6.1), (C8.1). Rates are those of the
+   * functions, all shifted alike so that the step ends at the right value;
+   * values follow from rates as for all other unknowns: so schemes keep their
+   * orders. A motion with inertia has rates that follow the second
    * derivatives in the same way, as the velocities of all nodes around it do: a
    * viscous body would answer the difference by accelerations of low order.
    * Where a function has no derivative, jumps, or starts from another value,

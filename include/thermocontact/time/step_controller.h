@@ -101,9 +101,9 @@ namespace ThermoContact
    * kept, rounded down to a rung of the ladder so that sizes, and their
    * factorisations, come back. Steps of both kinds are shortened to end at $T$,
    * at a contact event, where loads are not smooth, at output times if these
-   * are to be hit; error-controlled steps besides to what the loads allow, and
-   * after a jump of what nodes have for their value to a length of its own. The
-   * size from which the next step is derived is not affected.
+   * are to be hit; error-controlled ones also to what the loads allow and,
+   * behind a jump of prescribed nodal values, to a length of its own. The size
+   * from which the next step is derived is not affected.
    */
   class StepController
   {
@@ -192,7 +192,9 @@ namespace ThermoContact
     static constexpr double at_touch = 0.25, at_change = 0.5;
 
     /**
-     * Contact has changed or a load has jumped: the next motion may be faster than the one for which the size was chosen, of which a step is to have no more than @p factor. Attempts that were rejected since then may have made it small
+     * Contact has changed or a load has jumped: the next motion may be faster.
+     * A step is at most @p factor times the size that was chosen for the last
+     * one; attempts that were rejected since then may have made it small
      * enough.
      */
     void
@@ -218,16 +220,16 @@ namespace ThermoContact
     }
 
   private:
-    const bool          has_error_control;
-    const bool          chooses_first_step;
-    const double        fixed_size;
-    const double        end_time;
-    const double        minimum_size;
-    const double        maximum_size;
-    const unsigned int  order;
-    const StepLadder    ladder;
-    std::vector<double> landing_intervals;
-    LoadHistory         loads;
+    const bool                has_error_control;
+    const bool                chooses_first_step;
+    const double              fixed_size;
+    const double              end_time;
+    const double              minimum_size;
+    const double              maximum_size;
+    const unsigned int        order;
+    const StepLadder          ladder;
+    const std::vector<double> landing_intervals;
+    LoadHistory               loads;
 
     double                size; ///< of the next step if nothing shortens it
     double                chosen_size; ///< the same when a step was accepted
