@@ -176,6 +176,33 @@ namespace ThermoContact
 
 
 
+    /** How to write a cell that is no number. */
+    std::string
+    remedy_of_cell(const std::string &cell, const bool is_first_row)
+    {
+      const auto is_only = [&](const std::string &letters) {
+        return !cell.empty() &&
+               cell.find_first_not_of(letters) == std::string::npos;
+      };
+      if (cell.find(':') != std::string::npos)
+        return "the time since the first row as a number: times of a clock are "
+               "not read";
+      if (is_only("0123456789./-") && cell.find_first_of("./-", 1) != cell.npos)
+        return "a number, such as the time since the first row: dates are not "
+               "read";
+      if (cell.find('%') != std::string::npos)
+        return "numbers without '%'; in a spreadsheet cells in the format of a "
+               "number";
+      if (is_first_row && (cell[0] == '[' || is_unit(cell)))
+        return "units in the names of the columns, such as 'time [s]', without "
+               "a row of their own";
+      return "remove the row, of which there is no measurement; numbers have "
+             "no separators of thousands, and a decimal comma only where ';' "
+             "or a tab separates columns";
+    }
+
+
+
     /** Longer than this many of the usual ones a step between rows is a hole.
      */
     constexpr double usual_steps_of_hole = 10.;
@@ -266,7 +293,9 @@ namespace ThermoContact
         ": no text, or one in UTF-16\n  allowed: a table in CSV, "
         "in UTF-8 or Latin-1\n  remedy:  save it as CSV in UTF-8");
     if (begins_with(bytes, "\xEF\xBB\xBF"))
-      bytes.erase(0, 3); // some programs mark UTF-8 so
+      bytes.erase(0, 3);                       // some programs mark UTF-8 so
+    if (bytes.find('\n') == std::string::npos) // some end lines so
+      std::replace(bytes.begin(), bytes.end(), '\r', '\n');
     std::istringstream   text(text_in_utf8(bytes));
     std::vector<Heading> header;
     unsigned int         n_lines = 0, index = 1;
@@ -361,12 +390,7 @@ namespace ThermoContact
           if (!number)
             fail("'" + quote(cells[i]) + "' is no number",
                  n_lines,
-                 cells[i].find(':') != std::string::npos ?
-                   "the time since the first row as a number: times of a clock "
-                   "are not read" :
-                   "remove the row, of which there is no measurement; numbers "
-                   "have no separators of thousands, and a decimal comma only "
-                   "where ';' or a tab separates columns");
+                 remedy_of_cell(cells[i], arguments.empty()));
           const bool has_comma = cells[i].find(',') != std::string::npos,
                      has_point = separator != ',' &&
                                  cells[i].find('.') != std::string::npos;
