@@ -60,8 +60,7 @@ namespace ThermoContact
         NumberOrText::number_or_expression("x, y, z, theta", positive),
       zero_too =
         NumberOrText::number_or_expression("x, y, z, theta", not_negative),
-      any     = NumberOrText::number_or_expression("x, y, z, theta",
-                                               Double(-1e15, 1e15)),
+      any = NumberOrText::number_or_expression("x, y, z, theta", true, "none"),
       poisson = NumberOrText::number_or_expression("x, y, z", true, "none");
     SectionOfEntries entry(prm,
                            bodies_section + "/" +
@@ -87,8 +86,9 @@ namespace ThermoContact
       .means("Density over that one.");
     entry("Viscosity", viscosity.value, viscosity.expression, zero_too)
       .means("Viscosity zeta over that one: stress is E (u_x + zeta u_xt).");
-    entry("Coupling", coupling.value, coupling.expression, any)
-      .means("Thermoelastic coupling a, E alpha, over that one.");
+    entry("Coupling", coupling, any)
+      .means("Thermoelastic coupling a, E alpha, over that one; none: as "
+             "Stiffness, at the same alpha.");
     entry("Conductivity",
           conductivity.value,
           conductivity.expression,

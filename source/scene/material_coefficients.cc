@@ -116,8 +116,9 @@ namespace ThermoContact
     const auto set = [&](const Name            name,
                          const char           *entry,
                          const RodCoefficient &given) {
-      all[name].number = given.value;
-      all[name].entry  = entry;
+      all[name].number   = given.value;
+      all[name].entry    = entry;
+      all[name].is_given = !given.expression.empty() || given.value != 1.;
       if (given.expression.empty())
         return;
       const std::string path  = "Bodies/" + body.name + "/" + entry;
@@ -135,13 +136,19 @@ namespace ThermoContact
     set(stiffness, "Stiffness", body.stiffness);
     set(density, "Density", body.density);
     set(viscosity, "Viscosity", body.viscosity);
-    set(coupling, "Coupling", body.coupling);
+    const bool has_coupling = body.coupling != "none";
+    const auto number       = parse_number(body.coupling);
+    set(coupling,
+        "Coupling",
+        {number.value_or(1.), has_coupling && !number ? body.coupling : ""});
+    all[coupling].is_given = has_coupling;
     set(conductivity, "Conductivity", body.conductivity);
     set(heat_capacity, "Heat capacity", body.heat_capacity);
     set(poisson_ratio,
         "Poisson ratio",
         {parameters.model.poisson_ratio,
          body.poisson_ratio == "none" ? "" : body.poisson_ratio});
+    all[poisson_ratio].is_given    = body.poisson_ratio != "none";
     all[viscosity].may_equal_lower = true;
     all[viscosity].allowed         = "numbers from 0 on";
     all[coupling].lower            = -infinity;
@@ -178,7 +185,7 @@ namespace ThermoContact
   {
     std::vector<std::pair<std::string, std::string>> own;
     for (const Coefficient &one : all)
-      if (one.expression || (one.number != 1. && &one != &all[poisson_ratio]))
+      if (one.is_given)
         own.emplace_back(one.entry,
                          one.expression ? one.expression->text() :
                                           significant(one.number, 6));
@@ -259,8 +266,9 @@ namespace ThermoContact
       return (one - nu) / ((one + nu) * (one - two * nu));
     };
     const Number A = of(section), nu = of(poisson_ratio);
-    Number       E = of(stiffness), a = of(coupling);
-    if (all[poisson_ratio].expression)
+    Number       E = of(stiffness);
+    Number       a = all[coupling].is_given ? of(coupling) : E;
+    if (all[poisson_ratio].is_given)
       {
         const Number of_model(all[poisson_ratio].number);
         E = E * p_wave_factor(nu) / p_wave_factor(of_model);

@@ -35,6 +35,8 @@
 //    theta/2) where theta = 1, f = 0.1: u(1) = (1 - exp(-8))/40 with two cells.
 //    Thermal stresses of the parts of a cell add up, and are no series:
 //    a = 1 + 2 x + theta/10, E = 1 have u(1) = f + 2 + 1/10 with one cell.
+//    Without Coupling alpha is the same for every E: of a = 3/10 and theta = 1
+//    u(1) = 3/10.
 // 9. Clamped at both ends, heated evenly, fixed steps: the motion is rounding
 //    alone, and Newton's method settles.
 // 10. A rod and its mirror image, laws of 1 - x, ends exchanged: the middle
@@ -301,7 +303,8 @@ namespace
         .rows.back();
     const auto rests =
       run<1>("",
-             body("rod", {"Stiffness=1/(1+theta/10)", "Temperature=1"}) +
+             body("rod",
+                  {"Stiffness=1/(1+theta/10)", "Coupling=1", "Temperature=1"}) +
                Overrides{"Boundary/left/Temperature=none",
                          "Boundary/right/Support=clamped",
                          "Boundary/right/Heat exchange=0",
@@ -311,6 +314,19 @@ namespace
                          "Time/Step size=0.01",
                          "Time/End time=1"})
         .rows;
+    double expansion = 0.;
+    for (const char *const stiffness : {"3", "exp(x)", "1/(1+theta/2)"})
+      raise(expansion,
+            std::abs(run<1>("",
+                            uniform +
+                              body("rod",
+                                   {"Stiffness=" + std::string(stiffness),
+                                    "Temperature=1"}) +
+                              Overrides{"Model/Coupling=0.3"})
+                       .rows.back()
+                       .displacement_end -
+                     0.3));
+    deallog << "the same alpha: u(1) " << within(expansion, 1e-10) << std::endl;
     deallog << "linear cells: u(1) "
             << within(std::abs(linear.displacement_end -
                                (1. - std::exp(-8.)) / 40.),

@@ -39,9 +39,12 @@ namespace ThermoContact
     RodCoefficient stiffness;     ///< $E$
     RodCoefficient density;       ///< $\rho$
     RodCoefficient viscosity;     ///< of $\zeta$
-    RodCoefficient coupling;      ///< of $a$
     RodCoefficient conductivity;  ///< $K$
     RodCoefficient heat_capacity; ///< $c$, or $C$ of a mass
+
+    /** Of $a=E\alpha$, a number or an expression; none: as stiffness, so that
+     * $\alpha$ is the same. */
+    std::string coupling = "none";
 
     /** $\nu$, dim > 1, a number or an expression; none: of section Model. */
     std::string poisson_ratio = "none";

@@ -168,6 +168,7 @@ namespace ThermoContact
       bool                      may_equal_lower = false;
       std::string               allowed         = "positive numbers";
       bool                      is_of_theta     = false;
+      bool                      is_given        = false;
     };
 
     std::array<std::string, 4>       variable_names;
