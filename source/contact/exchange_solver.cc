@@ -243,8 +243,9 @@ namespace ThermoContact
   give_up_exchange(const unsigned int n_nodes)
   {
     throw ComputationError(
-      "the heat exchange coefficients of " + std::to_string(n_nodes) +
-      " contact nodes were not found\n  remedy:  a smaller Time/Step size, "
+      "the heat exchange coefficients of the contact nodes (" +
+      std::to_string(n_nodes) +
+      ") were not found\n  remedy:  a smaller Time/Step size, "
       "or a Boundary/right/Heat exchange without jumps that is less steep");
   }
 

@@ -60,7 +60,9 @@ namespace ThermoContact
         NumberOrText::number_or_expression("x, y, z, theta", positive),
       zero_too =
         NumberOrText::number_or_expression("x, y, z, theta", not_negative),
-      any = NumberOrText::number_or_expression("x, y, z, theta", true, "none"),
+      any     = NumberOrText::number_or_expression("x, y, z, theta",
+                                               Double(-1e15, 1e15),
+                                               "none"),
       poisson = NumberOrText::number_or_expression("x, y, z", true, "none");
     SectionOfEntries entry(prm,
                            bodies_section + "/" +

@@ -176,24 +176,39 @@ namespace ThermoContact
 
 
 
-    /** How to write a cell that is no number. */
-    std::string
-    remedy_of_cell(const std::string &cell, const bool is_first_row)
+    /** "28.11.2026", "2026-11-28", "11/28/26", but not "1.000.000". */
+    bool
+    is_date(const std::string &cell)
     {
-      const auto is_only = [&](const std::string &letters) {
-        return !cell.empty() &&
-               cell.find_first_not_of(letters) == std::string::npos;
-      };
+      const auto first = cell.find_first_not_of("0123456789");
+      const auto last  = cell.find_last_not_of("0123456789");
+      return first != std::string::npos && first > 0 && first < last &&
+             last + 1 < cell.size() && cell[first] == cell[last] &&
+             std::string("./-").find(cell[first]) != std::string::npos &&
+             cell.find_first_not_of("0123456789", first + 1) == last &&
+             !(last - first == 4 && cell.size() - last == 4);
+    }
+
+
+
+    /**
+     * How to write a cell that is no number.
+     *
+     * @param may_be_unit in the first row of a file of quantities
+     */
+    std::string
+    remedy_of_cell(const std::string &cell, const bool may_be_unit)
+    {
       if (cell.find(':') != std::string::npos)
         return "the time since the first row as a number: times of a clock are "
                "not read";
-      if (is_only("0123456789./-") && cell.find_first_of("./-", 1) != cell.npos)
+      if (is_date(cell))
         return "a number, such as the time since the first row: dates are not "
                "read";
       if (cell.find('%') != std::string::npos)
         return "numbers without '%'; in a spreadsheet cells in the format of a "
                "number";
-      if (is_first_row && (cell[0] == '[' || is_unit(cell)))
+      if (may_be_unit && !cell.empty() && (cell[0] == '[' || is_unit(cell)))
         return "units in the names of the columns, such as 'time [s]', without "
                "a row of their own";
       return "remove the row, of which there is no measurement; numbers have "
@@ -390,7 +405,7 @@ namespace ThermoContact
           if (!number)
             fail("'" + quote(cells[i]) + "' is no number",
                  n_lines,
-                 remedy_of_cell(cells[i], arguments.empty()));
+                 remedy_of_cell(cells[i], arguments.empty() && has_units));
           const bool has_comma = cells[i].find(',') != std::string::npos,
                      has_point = separator != ',' &&
                                  cells[i].find('.') != std::string::npos;

@@ -77,19 +77,20 @@ namespace ThermoContact
                                      const std::string &or_word)
   {
     const double largest = std::numeric_limits<double>::max();
-    NumberOrText result(
-      "", names, is_signed ? Double(-largest, largest) : Double(0., 1e15));
-    result.or_word = or_word;
-    return result;
+    return number_or_expression(
+      names, is_signed ? Double(-largest, largest) : Double(0., 1e15), or_word);
   }
 
 
 
   NumberOrText
   NumberOrText::number_or_expression(const std::string &names,
-                                     const Double      &numbers)
+                                     const Double      &numbers,
+                                     const std::string &or_word)
   {
-    return {"", names, numbers};
+    NumberOrText result("", names, numbers);
+    result.or_word = or_word;
+    return result;
   }
 
 

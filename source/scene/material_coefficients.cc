@@ -345,6 +345,7 @@ namespace ThermoContact
                       other.all.begin(),
                       [](const Coefficient &a, const Coefficient &b) {
                         return a.number == b.number &&
+                               a.is_given == b.is_given &&
                                a.expression == b.expression;
                       });
   }

@@ -174,7 +174,7 @@ namespace ThermoContact
         return {{c.section,
                  c.heat_mass,
                  1. / c.conduction,
-                 c.coupling,
+                 c.coupling / c.stiffness,
                  c.inertia,
                  1. / c.stiffness,
                  value(MaterialCoefficients::viscosity, x)}};
@@ -188,7 +188,7 @@ namespace ThermoContact
     return {sums[0] / size,
             sums[1] / size,
             size / sums[2],
-            sums[3] / size,
+            stiffness * sums[3] / size,
             sums[4] / size,
             stiffness,
             stiffness * sums[6] / size};

@@ -93,12 +93,16 @@ namespace ThermoContact
                             &RodCoefficients::viscosity})
       {
         beyond.value.*part -= at_zero.*part;
-        const bool is_in_series = part != &RodCoefficients::heat_mass &&
-                                  part != &RodCoefficients::coupling;
-        if (is_in_series && !cells[cell].varies && at_zero.*part != 0.)
+        if (cells[cell].varies || part == &RodCoefficients::heat_mass)
+          continue;
+        // thermal strains a/E add up along a cell
+        const auto in_series = part == &RodCoefficients::coupling ?
+                                 &RodCoefficients::stiffness :
+                                 part;
+        if (at_zero.*in_series != 0.)
           {
-            beyond.value.*part *= whole.*part / (at_zero.*part);
-            beyond.slope.*part *= whole.*part / (at_zero.*part);
+            beyond.value.*part *= whole.*in_series / (at_zero.*in_series);
+            beyond.slope.*part *= whole.*in_series / (at_zero.*in_series);
           }
       }
     return beyond;

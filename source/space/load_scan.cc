@@ -342,7 +342,9 @@ namespace ThermoContact
                            data.initial_fields->value(place));
         }
       if (heat.has_given_temperature || heat.left_exchange > 0.)
-        all.emplace_back("at the temperature of the left end",
+        all.emplace_back(heat.has_given_temperature ?
+                           "at the temperature of the left end" :
+                           "at the temperature around the left end",
                          heat.fixed_end_temperature);
       if (heat.right_temperature)
         all.emplace_back("at the temperature of the right end",

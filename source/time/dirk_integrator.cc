@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/linear_system.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/dirk_integrator.h>
@@ -8,6 +9,7 @@
 #include <thermocontact/time/monolithic_solver.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ThermoContact
 {
@@ -271,6 +273,7 @@ namespace ThermoContact
               .compliance;
           largest = std::max(largest, std::abs(displacement[i]));
         }
+    // a rigid obstacle holds nodes to less than this already
     if (largest >
         (body.law().is_rigid() ? Tolerances::negligible_displacement : 0.) *
           difference.displacement.linfty_norm())

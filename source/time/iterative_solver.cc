@@ -167,7 +167,7 @@ namespace ThermoContact
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     count(stage.solve(Tolerances::estimate_residual,
                       IterativeStage<dim>::Measure::of_start));
-    static const Vector none;
+    const Vector none;
     this->subtract(1.,
                    stage.length(),
                    body.scene.material.viscosity,

@@ -164,11 +164,13 @@ main(int, char **argv)
   if (arguments.empty())
     arguments.emplace_back("FILE");
 
-  // those of the test's last run; files are its output and written anew
+  // In the directory of the test, "NAME.release", what its last run has left;
+  // files are its output and written anew.
   std::vector<fs::path> directories;
-  for (const fs::directory_entry &entry : fs::directory_iterator("."))
-    if (entry.is_directory())
-      directories.push_back(entry.path());
+  if (fs::current_path().stem() == test.stem())
+    for (const fs::directory_entry &entry : fs::directory_iterator("."))
+      if (entry.is_directory())
+        directories.push_back(entry.path());
   for (const fs::path &directory : directories)
     fs::remove_all(directory);
 

@@ -87,6 +87,11 @@ def check_run(folder):
     check("pandas", list(contact.to_pandas()["time"]) == list(contact["time"]))
     again = thermocontact.read(folder / "a run")
     check("read", numpy.array_equal(again.contact["time"], contact["time"]))
+    with open(folder / "a run/contact.csv", "a") as file:
+        file.write(",".join(["9"] * len(contact)))  # its last number may go on
+    check("a row that is being written", thermocontact.read(folder / "a run").contact.n_rows == contact.n_rows)
+    third = thermocontact.run({**SCENE, "Time/End time": 1 / 3})
+    check("all digits of an entry", math.isclose(third.contact["time"][-1], 1 / 3, rel_tol=1e-11), third.contact["time"][-1])
 
 
 def check_row(folder):

@@ -33,10 +33,9 @@
 //    0.1: half the work of the load is lost, f^2/6.
 // 8. Linear cells have series means at all temperatures: E = exp(8 x) (1 -
 //    theta/2) where theta = 1, f = 0.1: u(1) = (1 - exp(-8))/40 with two cells.
-//    Thermal stresses of the parts of a cell add up, and are no series:
-//    a = 1 + 2 x + theta/10, E = 1 have u(1) = f + 2 + 1/10 with one cell.
-//    Without Coupling alpha is the same for every E: of a = 3/10 and theta = 1
-//    u(1) = 3/10.
+//    Thermal strains a theta/E of the parts of a cell add up: a = 1 + 2 x +
+//    theta/10, E = 1 have u(1) = f + 2 + 1/10 with one cell. Without Coupling
+//    alpha is the same for every E: of a = 3/10 and theta = 1 u(1) = 3/10.
 // 9. Clamped at both ends, heated evenly, fixed steps: the motion is rounding
 //    alone, and Newton's method settles.
 // 10. A rod and its mirror image, laws of 1 - x, ends exchanged: the middle
@@ -315,17 +314,21 @@ namespace
                          "Time/End time=1"})
         .rows;
     double expansion = 0.;
-    for (const char *const stiffness : {"3", "exp(x)", "1/(1+theta/2)"})
-      raise(expansion,
-            std::abs(run<1>("",
-                            uniform +
-                              body("rod",
-                                   {"Stiffness=" + std::string(stiffness),
-                                    "Temperature=1"}) +
-                              Overrides{"Model/Coupling=0.3"})
-                       .rows.back()
-                       .displacement_end -
-                     0.3));
+    for (const char *const stiffness :
+         {"3", "exp(x)", "1/(1+theta/2)", "exp(x)/(1+theta/2)"})
+      for (const char *const degree : {"1", "4"})
+        raise(expansion,
+              std::abs(run<1>("",
+                              uniform +
+                                body("rod",
+                                     {"Stiffness=" + std::string(stiffness),
+                                      "Temperature=1",
+                                      "Cells=1"}) +
+                                Overrides{"Model/Coupling=0.3",
+                                          "Mesh/Degree=" + std::string(degree)})
+                         .rows.back()
+                         .displacement_end -
+                       0.3));
     deallog << "the same alpha: u(1) " << within(expansion, 1e-10) << std::endl;
     deallog << "linear cells: u(1) "
             << within(std::abs(linear.displacement_end -

@@ -605,6 +605,23 @@ namespace
 
 
 
+  // --------------------------------------------- what runs of a study share
+
+  void
+  check_shared()
+  {
+    const auto profile = [](const std::string &coupling) {
+      return BodyProfile(read_parameters(
+        "",
+        dimension(2) + body("plate", {"Stiffness=2", "Coupling=" + coupling})));
+    };
+    deallog << "E = 2, Coupling none is none "
+            << (profile("none") == profile("none")) << ", is 1 "
+            << (profile("none") == profile("1")) << std::endl;
+  }
+
+
+
   // ----------------------------------------------------------- 10. meshes
 
   void
@@ -689,6 +706,7 @@ main_varying_bodies()
                       "Heat capacity=if(x<0.6,3,1)*exp(0.02*theta)"});
   check_coefficients_of_temperature();
   check_poisson_ratios();
+  check_shared();
   check_mesh("layers", "if(y<0.02,1,if(y<0.07,2,3))*if(x<0.3,1,2)");
   check_mesh("inclusion", "if(x<0.5 && y<0.05,3,1)");
   check_mesh("oblique", "if(y<0.05+0.01*x,2,1)");

@@ -50,7 +50,8 @@ namespace ThermoContact
     /** The same with these numbers. */
     static NumberOrText
     number_or_expression(const std::string              &names,
-                         const dealii::Patterns::Double &numbers);
+                         const dealii::Patterns::Double &numbers,
+                         const std::string              &or_word = "");
 
     /** An expression alone, which a number is, too. */
     static NumberOrText

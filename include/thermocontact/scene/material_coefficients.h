@@ -110,7 +110,7 @@ namespace ThermoContact
     std::vector<const Expression *>
     expressions() const;
 
-    /** Entries of those that are not 1, with their values. */
+    /** Entries of those that are given, and not as 1, with their values. */
     std::vector<std::pair<std::string, std::string>>
     own_entries() const;
 
@@ -154,7 +154,7 @@ namespace ThermoContact
     std::vector<const Expression *>
     of_temperature() const;
 
-    /** Whether they are the same numbers and expressions. */
+    /** Whether they are the same entries. */
     bool
     operator==(const MaterialCoefficients &other) const;
 

@@ -97,8 +97,8 @@ namespace ThermoContact
      * an impulse through the mass matrix changes the velocity to the nearest
      * one, in the norm of the kinetic energy, with which all of them stay there
      * (C4.1), also nodes that moved away, since contact changes at all
-     * together. Nodes without mass need no
-     * impulse; a body without inertia has the velocity and pressures of (D5.2).
+     * together. Nodes without mass need no impulse; a body without inertia has
+     * the velocity and pressures of (D5.2).
      *
      * @param result state and energy become those behind it; impulse, work of
      *   an obstacle that moves and numerical dissipation are added to

@@ -238,8 +238,8 @@ namespace ThermoContact
     Elasticity
     elasticity(const Cell &cell, const Point<dim> &place) const;
 
-    /** Coefficients in the equations at @p theta less those at 0; section Bodies
-     * is given. */
+    /** Coefficients in the equations at @p theta less those at 0, in cells with
+     * means their part of the series; section Bodies is given. */
     RodCoefficients
     beyond_zero(const Cell       &cell,
                 const Point<dim> &place,

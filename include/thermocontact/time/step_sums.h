@@ -123,7 +123,7 @@ namespace ThermoContact
                                                  at.momentum_load));
     }
 
-    /** Adds impulse, work and dissipation of the obstacle. */
+    /** Adds impulse, work and dissipation of the obstacle. Collective. */
     template <int dim>
     void
     add_contact(const double weight, const State &state, Body<dim> &body)
