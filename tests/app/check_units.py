@@ -336,6 +336,9 @@ def check_heads():
     # kinks of waves, and a tolerance of 1e-5
     for force, by_hand in zip(table["max_contact_force"], (418.152, 1982.88, 3512.57)):
         check("study, force", float(force), by_hand, 1e-3)
+    gaps = results("stop-design", "Contact/Damping=0", "Time/End time=1 us",
+                   "Study/Vary=Contact/Gap = 0.1 mm .. 0.3 mm (3)").tables["study.csv"]["Contact/Gap"]
+    check("gaps of a range", max(abs(float(gap) - at) for gap, at in zip(gaps, (1e-4, 2e-4, 3e-4))) + 1, 1, 1e-12)
     results("shaken-rod", "Study/Vary=Constants/frequency = 1700")
     ends = Run("shaken-rod/run-0").tables["poincare.csv"]["displacement_end"]
     check("shaken rod", ends[-1], -0.856131e-6, 3e-6)
