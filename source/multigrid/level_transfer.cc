@@ -32,10 +32,6 @@ namespace ThermoContact
     this->n_components        = n_components;
     this->communicator        = communicator;
     const unsigned int degree = coarse.degree();
-    strides                   = {};
-    stencils.clear();
-    runs.clear();
-    entries.clear();
     for (unsigned int d = 0; d < dim; ++d)
       strides[d] = coarse.strides()[d] * n_components;
 

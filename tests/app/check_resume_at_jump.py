@@ -8,6 +8,7 @@ DIR holds the run that was made to the later end time at once, in which contact
 begins at the jump.
 """
 import csv
+import json
 import sys
 import tempfile
 from pathlib import Path
@@ -74,9 +75,36 @@ def two_jumps(scene):
         show(f"two jumps, to the first one: status {status}", directory)
 
 
+# jumps at 1/4 and 3/4; what the first one has left to the solver must not change the second
+STRIP = ["Dimension=2", "Mesh/Cells=8", "Mesh/Cells across=2", "Mesh/Degree=2", "Output/Period=0.25",
+         "Solver/Linear solver=iterative", "Contact/Condition=power law", "Contact/Gap=0.1+y", "Time/Step size=0.125",
+         "Time/Break points=0.25; 0.75", "Boundary/right/Traction=0.3*if(t>0.25, 1, 0) + 0.2*if(t>0.75, 1, 0)"]
+# at rest again after 1/2, so that errors are small against the energies before
+DAMPED = ["Model/Inertia=1", "Model/Viscosity=1", "Initial values/Velocity=20*x*(x-1)^2", "Boundary/right/Traction=0",
+          "Contact/Gap=9", "Output/Contact interval=0.5", "Output/Land on output times=true",
+          "Output/Period=0.5", "Output/Fields interval=0"]
+
+
+def in_two_parts(what, scene, overrides):
+    """The files of a run that ends half-way and goes on are those of one that does not."""
+    results = []
+    with tempfile.TemporaryDirectory() as name:
+        for ends in ([1], [0.5, 1]):
+            directory = Path(name) / f"run-{len(ends)}"
+            for i, end in enumerate(ends):
+                status = run(scene, "--quiet", "--output", directory, *["--resume"] * (i > 0),
+                             *settings([*overrides, f"Time/End time={end}"]))[0]
+            summary = json.loads((directory / "summary.json").read_text())
+            results.append([summary["linear_iterations"], summary["steps"], *(
+                (directory / file).read_bytes() for file in ("contact.csv", "events.csv", "poincare.csv"))])
+    print(f"{what} that ends half-way: status {status}, the same {int(results[0] == results[1])}")
+
+
 reference = Path(sys.argv[1])
 show("at once", reference)
 for TRACTION in ("if(t <= 0.75, 0.1, 0.5)", "if(t < 0.75, 0.1, 0.5)"):
     stop_and_resume(reference / "used.prm", TRACTION)
 from_the_start(reference / "used.prm")
 two_jumps(reference / "used.prm")
+in_two_parts("a strip", reference / "used.prm", STRIP)
+in_two_parts("a damped rod", reference / "used.prm", DAMPED)

@@ -33,7 +33,9 @@
 // 9. Poisson ratios: along a block on rollers the strains are T over the P-wave
 //    moduli, Y (1 - nu)/((1 + nu)(1 - 2 nu)), where the Young's modulus Y is
 //    the same; layers with free sides whose Y/(1 - nu^2) is the same, Y_0, are
-//    all strained by e = T/Y_0, and get thinner by nu/(1 - nu) e.
+//    all strained by e = T/Y_0, and get thinner by nu/(1 - nu) e. A free block
+//    that is heated evenly expands by a (1 - nu)/(1 + nu) theta of the scene's
+//    nu, whatever its own, since alpha is the same: 0.3*0.8/1.2.
 // 10. The mesh: lines at y = 0.02 and 0.07, at x = 0.3; an oblique jump is
 //    doubted; jumps on the faces of the body make no cells. A kink at y = 0.03
 //    is one for cells of degree 2, two below it and four above.
@@ -569,6 +571,23 @@ namespace
                                      0.1 *
                                        (0.4 + 0.6 * p_wave(0.2) / p_wave(0.4))),
                             1e-12);
+
+    const StepRecord heated =
+      run<3>("",
+             at_rest + dimension(3) +
+               body("block", {"Poisson ratio=if(x<0.4,0.1,0.4)"}) +
+               Overrides{"Model/Poisson ratio=0.2",
+                         "Model/Coupling=0.3",
+                         "Model/Thermoelastic heating=false",
+                         "Initial values/Temperature=1",
+                         "Boundary/left/Temperature=none",
+                         "Boundary/right/Heat exchange=0",
+                         "Mesh/Cells=2",
+                         "Mesh/Cells across=1",
+                         "Mesh/Degree=1"})
+        .rows.back();
+    deallog << ", heated "
+            << noise_within(std::abs(heated.displacement_end - 0.2), 1e-12);
 
     const double  e = 0.02, Y = 1. / p_wave(0.2), h = 0.03, W = 0.1;
     Simulation<2> simulation(

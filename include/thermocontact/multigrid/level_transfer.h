@@ -88,7 +88,7 @@ namespace ThermoContact
     std::vector<Stencil>        stencils;
     std::vector<Run>            runs;
     std::vector<Entry>          entries;
-    std::array<unsigned int, 3> strides; ///< to the next node of the grid
+    std::array<unsigned int, 3> strides{}; ///< to the next node of the grid
     unsigned int                n_components;
     MPI_Comm                    communicator = MPI_COMM_SELF;
 
