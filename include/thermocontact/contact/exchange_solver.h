@@ -54,7 +54,8 @@ namespace ThermoContact
 
 
 
-  /** Ends a search. @throw ComputationError */
+  /** Says that the search of the coefficients of so many contact nodes has
+   * failed, and what to try. @throw ComputationError always */
   [[noreturn]] void
   give_up_exchange(const unsigned int n_nodes);
 

@@ -160,8 +160,10 @@ namespace ThermoContact
 
     /**
      * Takes from the difference between two results of a step the response of
-     * the stage that was solved last to pressures: those that the laws have
-     * where they bring the contact nodes back from this displacement.
+     * the stage that was solved last to pressures, doc/contact-in-time.md
+     * (C3.2): the laws have these pressures where they bring the contact nodes
+     * back from this displacement. A solver without responses leaves the
+     * difference as it is.
      *
      * Arguments: tangents of closed nodes, others are open; that displacement;
      * in, out: the difference $e_\theta$, $e_u$, $e_v$.
@@ -214,9 +216,11 @@ namespace ThermoContact
     /**
      * Takes @p load times the response to a load from a difference.
      *
-     * @param tau,viscosity of the stage; $\zeta$ of the body
-     * @param heat of the response: the temperature, per @p heating; a vector
-     *   without entries: it does not change
+     * @param tau,viscosity length of the stage; $\zeta$ of the body
+     * @param velocity of the response
+     * @param heating,heat the temperature of the response is their product; a
+     *   vector without entries: it does not change
+     * @param difference in, out
      */
     static void
     subtract(const double  load,

@@ -68,6 +68,7 @@ namespace ThermoContact
       boundaries = {};
     }
 
+    /** Adds all terms of a reset to those of a step. */
     void
     add(const StepSums &other)
     {
