@@ -121,6 +121,28 @@ def mark_contacts(axes, runs, colour=None):
                          color=colour or run.looks["color"], linewidth=0)
 
 
+# what a column is small beside if it is rounding, and how small
+ROUNDING = {"gap": ("displacement_end", 1e-12), "displacement_end": ("displacement_mid", 1e-12),
+            "defect": ("energy", 1e-12)}
+
+
+def scale_of_rounding(column, runs):
+    """Half the height of a panel that shows a column of rounding as nothing; 0: it is more."""
+    def largest(name):
+        return max((abs(value) for run in runs for value in run.data[name]
+                    if math.isfinite(value)), default=0)
+
+    if column == "velocity_end":  # of an end that does not move
+        return 1e3 * largest(column) if scale_of_rounding("displacement_end", runs) else 0
+    if column not in ROUNDING:
+        return 0
+    name, small = ROUNDING[column]
+    size = largest(name)
+    if not largest(column) < small * size:
+        return 0
+    return 1e-9 * size if column == "defect" else size
+
+
 def draw_history(axes, column, label, runs):
     """One curve per run, and the obstacle."""
     for run in runs:
@@ -128,16 +150,9 @@ def draw_history(axes, column, label, runs):
     if column == "gap" and any(math.isfinite(run.rear) for run in runs):
         label = "gap to the nearer obstacle"
     values = [value for run in runs for value in run.data[column]]
-    if column == "gap":  # of an end that stays on a rigid obstacle it is rounding
-        size = max(abs(u) for run in runs for u in run.data["displacement_end"] if math.isfinite(u))
-        if max(abs(gap) for gap in values if math.isfinite(gap)) < 1e-12 * size:
-            values = [size]
-            axes.set_ylim(-size, size)
-    if column == "defect":  # what sums of energies round to is shown as nothing
-        size = 1e-9 * max(abs(e) for run in runs for e in run.data["energy"] if math.isfinite(e))
-        if max(abs(value) for value in values if math.isfinite(value)) < 1e-3 * size:
-            label, values = f"{label}\n(rounding)", [size]
-            axes.set_ylim(-size, size)
+    if size := scale_of_rounding(column, runs):
+        label, values = f"{label}\n(rounding)", [size]
+        axes.set_ylim(-size, size)
     label_axis(axes.yaxis, label, runs[0].units.get(column), values)
     if column == "displacement_end":
         for g in {run.obstacle for run in runs if not run.moves}:

@@ -205,6 +205,25 @@ def check_two_obstacles(plot):
           "obstacle, $g$ = 0.1; $g_2$ = 0.07" in legend.values(), str(legend))
 
 
+def check_rounding(plot):
+    """A rod that a rigid wall without a gap holds: its end moves by rounding, which a panel as
+    high as the motion of the middle shows as nothing."""
+    rows = table("held/contact.csv")
+    panels = {panel.get_ylabel(): panel for panel in drawings.panels_of(
+        drawings.figures_of(plot, "held")["figure"])[0]}
+    moved = max(abs(rows["displacement_mid"]))
+    for label, column, size in (
+            ("displacement  $u(1, t)$", "displacement_end", moved),
+            ("velocity  $u_t(1, t)$", "velocity_end", 1e3 * max(abs(rows["velocity_end"])))):
+        panel = panels.get(f"{label}\n(rounding)")
+        check(f"rounding of {column}", panel and numpy.allclose(
+            panel.get_ylim(), (-size, size), rtol=1e-12, atol=0) and any(
+                drawings.same(line, rows["time"], rows[column]) for line in panel.lines),
+              str(list(panels)))
+    check("rounding: the middle moves", "displacement  $u(1/2, t)$" in panels and moved > 1e-3 and
+          0 < max(abs(rows["displacement_end"])) < 1e-12 * moved)
+
+
 ROW = {"gap  $g - u_L + u_R$": "gap", "contact force  $F(t)$": "contact_force",
        r"impulse  $\int_0^t F$": "contact_impulse"}
 
@@ -239,7 +258,7 @@ def check_row(plot):
         plot.main()
     sys.argv = before
     text = html.unescape(Path("row/report.html").read_text(encoding="utf-8"))
-    check("row: report", "  row       a (rod of length 0.5, " in text and
+    check("row: report", "  row       a (rod of length 0.5, 160 cells)" in text and
           '<img alt="row"' in text, text[:2000])
 
 
@@ -409,6 +428,11 @@ def main():
                  "Time/Tolerance=1e-4", "Output/Fields interval=0")
     drawings.run("between", "examples/two-stops.prm", "Time/End time=4", "Contact/Rear gap=0.07",
                  "Output/Fields interval=0")
+    drawings.run("held", "paper/experiment-1.prm", "Time/End time=0.5", "Contact/Gap=0",
+                 "Contact/Condition=rigid", "Time/Scheme=sdirk4", "Time/Start=consistent",
+                 "Time/Step size=automatic", "Initial values/Temperature=0.3",
+                 "Initial values/Displacement=0", "Initial values/Velocity=0", "Mesh/Cells=4",
+                 "Output/Fields interval=0")
     drawings.run("steel", "units/steel-rod.prm", "Time/End time=36 h", "Output/Fields interval=0",
                  "Output/Probes=250 mm; 1 m")
     for name, gap in (("row", "0.01"), ("wide-row", "0.05")):
@@ -425,6 +449,7 @@ def main():
     check_end_time(plot)
     check_strip(plot)
     check_two_obstacles(plot)
+    check_rounding(plot)
     check_row(plot)
     check_places()
     check_files(plot)
