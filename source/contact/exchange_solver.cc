@@ -255,19 +255,19 @@ namespace ThermoContact
   solve_contact_and_exchange(const HeatExchange         &exchange,
                              const EndResponse          &response,
                              const std::vector<NodeLaw> &laws,
-                             EndExchange                &end)
+                             ObstacleAction             &contact,
+                             std::vector<double>        &flux)
   {
-    ExchangeStage stage(exchange, response, laws, end.pressure);
+    ExchangeStage        stage(exchange, response, laws, contact.pressure);
+    std::vector<double> &k = contact.exchange_coefficient;
     if (stage.n == 1)
-      end.coefficient[0] = solve_node(stage, end.coefficient, 0);
-    else if (!solve_smooth(ByDerivatives{stage},
-                           Tolerances::rounding,
-                           end.coefficient) &&
-             !solve_by_sweeps(stage, end.coefficient))
+      k[0] = solve_node(stage, k, 0);
+    else if (!solve_smooth(ByDerivatives{stage}, Tolerances::rounding, k) &&
+             !solve_by_sweeps(stage, k))
       give_up_exchange(stage.n);
-    stage.law_at(end.coefficient);
-    end.pressure = stage.pressure;
-    end.flux     = stage.flux;
+    stage.law_at(k);
+    contact.pressure = stage.pressure;
+    flux             = stage.flux;
     return stage.n_iterations;
   }
 

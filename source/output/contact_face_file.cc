@@ -67,7 +67,7 @@ namespace ThermoContact
       body.contact_end().nodes(),
       units,
       [&](const unsigned int row, const unsigned int i) {
-        const double pressure = state.contact_pressure[i];
+        const double pressure = state.contact.pressure[i];
         return row == 0 ? pressure :
                row == 1 ? 0. - laws[i].penetration(gap[i]) :
                row == 2 ? (pressure != 0. ? 1. : 0.) :

@@ -24,8 +24,7 @@ namespace ThermoContact
      * part of a VTU file, without header and footer: pieces of some cells each,
      * since patches need several times the memory of the fields. Cells of
      * degree p are cut into p parts along each direction, or are Lagrange
-     * cells. The stress is $C\varepsilon(u+\zeta v)-a\theta I$, if dim > 1 a
-     * tensor in space.
+     * cells. The stress is that of stress_of(), if dim > 1 a tensor in space.
      *
      * @param cycle number of the snapshot
      */
@@ -62,15 +61,11 @@ namespace ThermoContact
             cells.join(first + 2 * dim, names.size() - 1);
         }
 
-      Vector        viscous_displacement = state.displacement;
       Vector        memory;
       const Vector &velocity_field = shown_velocity(body.scene, state, memory);
-      viscous_displacement.add(material.viscosity, velocity_field);
-      const auto present =
+      const auto    present =
         space.with_ghosts(state.temperature, state.displacement);
       const auto moving = space.with_ghosts(state.temperature, velocity_field);
-      const auto viscous =
-        space.with_ghosts(state.temperature, viscous_displacement);
 
       const unsigned int          degree = space.degree();
       FEValues<dim>               values(space.mapping(),
@@ -80,14 +75,12 @@ namespace ThermoContact
                              update_quadrature_points);
       const unsigned int          n_points = values.n_quadrature_points;
       std::vector<double>         temperature(n_points);
-      std::vector<Tensor<1, dim>> displacement(n_points), velocity(n_points),
-        total(n_points);
-      std::vector<Tensor<2, dim>> gradient(n_points);
+      std::vector<Tensor<1, dim>> displacement(n_points), velocity(n_points);
 
-      // of section Bodies: of displacement and velocity, and coefficients
+      // gradients of displacement and velocity
       std::vector<Tensor<2, dim>>  elastic(n_points), rate(n_points);
       std::vector<RodCoefficients> equations(n_points), materials(n_points);
-      std::vector<Elasticity> elasticities(n_points, material.elasticity());
+      std::vector<Elasticity>      elasticities(n_points);
       const auto component = [&](unsigned int row, const unsigned int point) {
         if (row < first)
           return temperature[point];
@@ -107,20 +100,12 @@ namespace ThermoContact
                                 d,
                                 e);
         };
-        if (space.has_bodies())
-          return (equations[point].stiffness *
-                    stress(elastic[point], displacement[point]) +
-                  material.viscosity * equations[point].viscosity *
-                    stress(rate[point], velocity[point]) -
-                  (d == e && material.has_thermal_stress() ?
-                     material.thermal_stress * equations[point].coupling *
-                       temperature[point] :
-                     0.)) /
-                 materials[point].section;
-        return stress(gradient[point], total[point]) -
-               (d == e && material.has_thermal_stress() ?
-                  material.thermal_stress * temperature[point] :
-                  0.);
+        return stress_of(material,
+                         equations[point],
+                         d == e ? temperature[point] : 0.,
+                         stress(elastic[point], displacement[point]),
+                         stress(rate[point], velocity[point])) /
+               materials[point].section;
       };
 
       constexpr double         max_points = 50000.;
@@ -138,24 +123,18 @@ namespace ThermoContact
                 const auto &of_fields = values[space.displacement_extractor()];
                 of_fields.get_function_values(present, displacement);
                 of_fields.get_function_values(moving, velocity);
-                of_fields.get_function_values(viscous, total);
-                of_fields.get_function_gradients(viscous, gradient);
-                if (space.has_bodies())
+                of_fields.get_function_gradients(present, elastic);
+                of_fields.get_function_gradients(moving, rate);
+                for (unsigned int q = 0; q < n_points; ++q)
                   {
-                    for (unsigned int q = 0; q < n_points; ++q)
-                      {
-                        const Point<dim> &place = values.quadrature_point(q);
-                        equations[q] =
-                          space.in_equations(cell,
-                                             place,
-                                             fields.has_temperature ?
-                                               temperature[q] :
-                                               0.);
-                        materials[q]    = space.of_material(cell, place);
-                        elasticities[q] = space.elasticity(cell, place);
-                      }
-                    of_fields.get_function_gradients(present, elastic);
-                    of_fields.get_function_gradients(moving, rate);
+                    const Point<dim> &place = values.quadrature_point(q);
+                    equations[q]            = space.in_equations(cell,
+                                                      place,
+                                                      fields.has_temperature ?
+                                                                   temperature[q] :
+                                                                   0.);
+                    materials[q]            = space.of_material(cell, place);
+                    elasticities[q]         = space.elasticity(cell, place);
                   }
               }
             const double length = units.of("position").factor;

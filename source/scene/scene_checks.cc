@@ -6,6 +6,7 @@
 #include <thermocontact/input/parameter_file.h>
 #include <thermocontact/input/parameters.h>
 #include <thermocontact/input/quantity_units.h>
+#include <thermocontact/scene/box_limits.h>
 #include <thermocontact/scene/scene_checks.h>
 
 #include <algorithm>
@@ -175,15 +176,11 @@ namespace ThermoContact
     void
     check_mass_matrix(const Scene &scene)
     {
-      const std::string remedy = "Mesh/Mass matrix = consistent";
-      const Refusal     lumped{"Mesh/Mass matrix", "lumped", "consistent"};
-      lumped.since(scene.has_lumped_mass &&
-                     !scene.geometry->has_uniform_weight(),
-                   "Mesh/Geometry = " + scene.parameters.mesh.geometry,
-                   remedy + ": lumped nodes on the axis would have no mass");
-      lumped.since(scene.has_lumped_mass && scene.has_midpoint_mass,
-                   name_of_scheme(scene),
-                   remedy + ": the scheme has a mass matrix of its own");
+      Refusal{"Mesh/Mass matrix", "lumped", "consistent"}.since(
+        scene.has_lumped_mass && !scene.geometry->has_uniform_weight(),
+        "Mesh/Geometry = " + scene.parameters.mesh.geometry,
+        "Mesh/Mass matrix = consistent: lumped nodes on the axis would have no "
+        "mass");
     }
 
 
@@ -194,27 +191,11 @@ namespace ThermoContact
     {
       if (!scene.scheme.has_no_dispersion)
         return;
-      const Parameters &parameters = scene.parameters;
-      const Refusal     scheme{"Time/Scheme",
+      const Refusal scheme{"Time/Scheme",
                            scene.scheme.name,
                            "a scheme of another name"};
-      scheme.since(parameters.dimension > 1,
-                   text("Dimension = ", parameters.dimension),
-                   take_default_scheme("that one is for waves along a rod"));
-      scheme.since(!scene.fields.has_displacement,
-                   "Model/Fields = " + parameters.model.fields,
-                   take_default_scheme("that one is for waves"));
-      scheme.since(parameters.mesh.degree != 1,
-                   text("Mesh/Degree = ", parameters.mesh.degree),
-                   "Mesh/Degree = 1: its mass matrix has one point to a cell");
-      scheme.since(
-        parameters.mesh.grading != 1.,
-        text("Mesh/Grading = ", parameters.mesh.grading),
-        "Mesh/Grading = 1: a wave passes all cells in the same time");
-      scheme.since(parameters.contact.massless_nodes == "on",
-                   "Contact/Massless nodes = on",
-                   "Contact/Massless nodes = automatic: the contact node keeps "
-                   "its mass");
+      for (const BoxLimit &limit : limits_of_box(scene.parameters))
+        scheme.since(!limit.remedy.empty(), limit.entry, limit.remedy);
     }
 
 
@@ -589,12 +570,6 @@ namespace ThermoContact
                            take_default_scheme(
                              "the contact nodes of that one carry nothing that "
                              "resists velocities"));
-            attached.since(scene.scheme.has_no_dispersion &&
-                             (is_contact_end || is_mass),
-                           name_of_scheme(scene),
-                           take_default_scheme(
-                             "that one has springs and dashpots on the left "
-                             "alone"));
           }
       };
       if (scene.has_free_end)
@@ -786,9 +761,6 @@ namespace ThermoContact
           expression.since(!scene.fields.has_temperature,
                            "Model/Fields = " + scene.parameters.model.fields,
                            "Model/Fields = temperature and displacement");
-          expression.since(scene.scheme.has_no_dispersion,
-                           name_of_scheme(scene),
-                           "Time/Scheme = automatic");
           check_entries_beside_bodies(scene, one->path() + " depends on theta");
         }
     }

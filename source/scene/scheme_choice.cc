@@ -6,8 +6,9 @@
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/input/parameter_file.h>
-#include <thermocontact/method/critical_step.h>
+#include <thermocontact/method/impact_layer.h>
 #include <thermocontact/scene/body_profile.h>
+#include <thermocontact/scene/box_limits.h>
 #include <thermocontact/scene/row.h>
 #include <thermocontact/scene/scheme_choice.h>
 
@@ -250,72 +251,6 @@ namespace ThermoContact
                Tolerances::continuous_velocity *
                  std::max(std::abs(given), std::abs(there)) ||
              has_breaks(end, parameters.time.end_time, true);
-    }
-
-
-
-    /**
-     * The entry that the scheme without dispersion cannot have; empty: there is
-     * none.
-     */
-    std::string
-    entry_against_box(const Parameters &parameters)
-    {
-      const MeshParameters &mesh = parameters.mesh;
-      const TimeParameters &time = parameters.time;
-      const auto as_text = [](const std::string &path, const auto &value) {
-        return text(path, " = ", value);
-      };
-      if (parameters.dimension > 1)
-        return as_text("Dimension", parameters.dimension);
-      for (const BodyParameters &body : parameters.row.bodies)
-        if (!body.is_mass())
-          {
-            const RodProfile profile(parameters, body);
-            if (const auto laws = profile.of_temperature(); !laws.empty())
-              return laws.front()->path() + ", which depends on theta";
-          }
-      if (mesh.degree > 1)
-        return as_text("Mesh/Degree", mesh.degree);
-      if (mesh.grading != 1.)
-        return as_text("Mesh/Grading", mesh.grading);
-      if (mesh.mass_matrix != "consistent")
-        return as_text("Mesh/Mass matrix", mesh.mass_matrix);
-      for (const auto &[path, value] :
-           {std::pair("Boundary/left/Mass", parameters.boundary.left.mass),
-            std::pair("Boundary/right/Mass", parameters.boundary.right.mass),
-            std::pair("Boundary/right/Spring",
-                      parameters.boundary.right.spring),
-            std::pair("Boundary/right/Dashpot",
-                      parameters.boundary.right.dashpot)})
-        if (value > 0.)
-          return path + std::string(" above 0");
-      if (time.step_size)
-        return "Time/Step size = a number";
-      if (time.first_step_size)
-        return "Time/First step size = a number";
-      if (time.minimum_step_size > 0.)
-        return "Time/Minimum step size = a number";
-      if (std::isfinite(time.maximum_step_size))
-        return "Time/Maximum step size = a number";
-      if (time.start == "paper")
-        return as_text("Time/Start", time.start);
-      if (time.locate_contact_events == "true")
-        return as_text("Time/Locate contact events",
-                       time.locate_contact_events);
-      if (!time.break_points.empty())
-        return "Time/Break points";
-      if (parameters.contact.massless_nodes == "on")
-        return "Contact/Massless nodes = on";
-      if (parameters.solver.step_solver != "monolithic")
-        return as_text("Solver/Step solver", parameters.solver.step_solver);
-      if (parameters.solver.linear_solver == "iterative")
-        return "Solver/Linear solver = iterative";
-      if (parameters.output.land_on_times)
-        return "Output/Land on output times = true";
-      if (parameters.output.period > 0.)
-        return "Output/Period = a number";
-      return "";
     }
 
 
@@ -667,18 +602,20 @@ namespace ThermoContact
       const bool is_automatic = written.time.scheme == automatic_scheme;
       const bool has_waves =
         written.model.inertia > 0. && written.model.fields != "temperature";
-      const std::string against = entry_against_box(written);
-      const bool        is_box  = is_automatic ?
-                                    has_waves && against.empty() :
-                                    scheme(written.time.scheme).has_no_dispersion;
-      SchemeChoice      choice{written,
+      const auto limits =
+        is_automatic ? limits_of_box(written) : std::vector<BoxLimit>();
+      const bool   is_box = is_automatic ?
+                              has_waves && limits.empty() :
+                              scheme(written.time.scheme).has_no_dispersion;
+      SchemeChoice choice{written,
                           {},
                           !is_automatic ? "" :
-                               is_box ? "bodies of a row have waves or impacts" :
-                               !has_waves ? "without inertia there are no waves" :
-                                            "box cannot have " + against,
+                          is_box ? "bodies of a row have waves or impacts" :
+                          !has_waves ?
+                                   "without inertia there are no waves" :
+                                   "box cannot have " + limits.front().entry,
                           false};
-      Parameters       &parameters = choice.parameters;
+      Parameters  &parameters = choice.parameters;
       if (is_automatic)
         {
           parameters.time.scheme = is_box ? find_scheme([](const Scheme &s) {
@@ -753,10 +690,10 @@ namespace ThermoContact
                            default_scheme(),
                            "its mesh resolves all fronts",
                            cells);
-      if (const std::string entry = entry_against_box(written); !entry.empty())
+      if (const auto limits = limits_of_box(written); !limits.empty())
         return with_scheme(written,
                            default_scheme(),
-                           "box cannot have " + entry);
+                           "box cannot have " + limits.front().entry);
       const SchemeChoice choice =
         with_scheme(written,
                     *find_scheme(

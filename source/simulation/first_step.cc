@@ -44,7 +44,7 @@ namespace ThermoContact
         mass.solve(rate.temperature, right);
         equations.zero_constrained(Field::temperature, rate.temperature);
         const double change =
-          body.energy.difference_energy(rate, state.contact_pressure).thermal;
+          body.energy.difference_energy(rate, state.contact.pressure).thermal;
         if (!(change > 0.))
           return infinity; // at rest
         if (scale > 0.)

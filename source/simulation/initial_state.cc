@@ -313,8 +313,8 @@ namespace ThermoContact
       const double gap  = *std::min_element(gaps.begin(), gaps.end());
       // of the largest magnitude: one behind the end pushes with a negative one
       const double pressure =
-        *std::max_element(state.contact_pressure.begin(),
-                          state.contact_pressure.end(),
+        *std::max_element(state.contact.pressure.begin(),
+                          state.contact.pressure.end(),
                           [](const double p, const double q) {
                             return std::abs(p) < std::abs(q);
                           });
@@ -327,13 +327,13 @@ namespace ThermoContact
       const QuantityUnits units(body.scene.parameters);
       if (body.scene.row.is_given())
         {
-          for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
-            if (state.contact_pressure[i] != 0.)
+          for (unsigned int i = 0; i < state.contact.pressure.size(); ++i)
+            if (state.contact.pressure[i] != 0.)
               warnings.push_back(text(
                 "Contacts: ",
                 body.scene.row.contact_names()[i],
                 " press on each other at the start with ",
-                units.text("stress", std::abs(state.contact_pressure[i]))));
+                units.text("stress", std::abs(state.contact.pressure[i]))));
           return;
         }
       warnings.push_back(text(

@@ -88,7 +88,7 @@ namespace ThermoContact
         ContactRecord &contact = record.contacts[i];
         contact.time           = state.time;
         contact.gap = contact.velocity = contact.heat_flux = nan;
-        contact.contact_force = state.contact_pressure[i];
+        contact.contact_force = state.contact.pressure[i];
         contact.in_contact    = false;
       }
     if (fields.has_displacement)
@@ -105,7 +105,7 @@ namespace ThermoContact
             contact.gap = 0. - contact_laws[i].penetration(contact_values[i]);
             contact.in_contact =
               contact_laws[i].is_in_contact(contact_values[i],
-                                            state.contact_pressure[i]);
+                                            state.contact.pressure[i]);
           }
         const unsigned int last =
           body.discretization.entry_of_right_end(Field::displacement);
@@ -122,7 +122,7 @@ namespace ThermoContact
         if (!at_right_end)
           record.stress_end = nan;
         double largest = 0.;
-        for (const double p : state.contact_pressure)
+        for (const double p : state.contact.pressure)
           if (std::abs(p) > std::abs(largest))
             largest = p;
         record.contact_force = largest;
@@ -135,7 +135,7 @@ namespace ThermoContact
             body.surroundings.flux(i,
                                    body.scene.heat.exchange->is_in_matrices() ?
                                      end.nodes()[i].own_exchange :
-                                     state.exchange_coefficient[i],
+                                     state.contact.exchange_coefficient[i],
                                    contact_values[i],
                                    state.load_time);
         record.temperature_end =
@@ -200,7 +200,7 @@ namespace ThermoContact
                        0. - contact_laws[i].penetration(contact_values[i]));
             record.in_contact |=
               contact_laws[i].is_in_contact(contact_values[i],
-                                            state.contact_pressure[i]);
+                                            state.contact.pressure[i]);
           }
       }
 
@@ -211,14 +211,14 @@ namespace ThermoContact
           end.mean(contact_values) + record.obstacle_velocity;
       }
 
-    record.contact_force        = end.mean(state.contact_pressure);
+    record.contact_force        = end.mean(state.contact.pressure);
     const SceneContact &contact = body.scene.contact;
     record.penetration =
       contact.is_damped() ? std::max(0., 0. - record.gap) : 0.;
     if (!contact.is_damped())
-      for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+      for (unsigned int i = 0; i < state.contact.pressure.size(); ++i)
         {
-          const double p = state.contact_pressure[i];
+          const double p = state.contact.pressure[i];
           record.penetration =
             std::max(record.penetration,
                      contact.law_under(p, i).penetration(std::abs(p)));
@@ -256,7 +256,7 @@ namespace ThermoContact
       record.moment_z                         = 0.;
     record.min_gap                            = record.gap;
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
-      if (const double p = state.contact_pressure[i]; p != 0.)
+      if (const double p = state.contact.pressure[i]; p != 0.)
         {
           record.contact_area += end.share(i);
           record.max_pressure = std::max(record.max_pressure, std::abs(p));

@@ -276,7 +276,7 @@ namespace ThermoContact
     std::vector<double>  position;
     const SceneContact  &contact = body.scene.contact;
     // of elastic contacts, which follow from the displacement alone
-    std::vector<double> elastic(state.contact_pressure.size(), 0.);
+    std::vector<double> elastic(state.contact.pressure.size(), 0.);
     if (contact.has_rigid())
       {
         get_velocity_laws(body,
@@ -287,10 +287,10 @@ namespace ThermoContact
           if (!contact.law_at(i).is_rigid())
             {
               laws[i].law = nullptr;
-              elastic[i]  = state.contact_pressure[i];
+              elastic[i]  = state.contact.pressure[i];
             }
-        std::fill(state.contact_pressure.begin(),
-                  state.contact_pressure.end(),
+        std::fill(state.contact.pressure.begin(),
+                  state.contact.pressure.end(),
                   0.);
         if (contact.has_rigid_beside_elastic())
           body.contact_end().subtract_load(Field::displacement,
@@ -311,7 +311,7 @@ namespace ThermoContact
       }
     else
       body.contact_end().subtract_load(Field::displacement,
-                                       state.contact_pressure,
+                                       state.contact.pressure,
                                        1.,
                                        load);
     position.clear();
@@ -323,11 +323,11 @@ namespace ThermoContact
              body.scene.sources.has_moving_end ? &of_end : nullptr);
     stiffness.linearize(state);
     stiffness.solve(
-      r, laws, position, factor, state.velocity, state.contact_pressure);
+      r, laws, position, factor, state.velocity, state.contact.pressure);
     if (contact.has_rigid_beside_elastic())
       for (unsigned int i = 0; i < elastic.size(); ++i)
         if (!contact.law_at(i).is_rigid())
-          state.contact_pressure[i] = elastic[i];
+          state.contact.pressure[i] = elastic[i];
     state.velocity *= factor;
     body.driven_end.set_velocity(state.load_time, state.velocity);
   }
@@ -344,7 +344,7 @@ namespace ThermoContact
     std::vector<double>  position;
     get_node_laws(body, state, laws, position);
     matrix.linearize(state);
-    matrix.solve(r, laws, position, 1., change, state.contact_pressure);
+    matrix.solve(r, laws, position, 1., change, state.contact.pressure);
     state.displacement += change;
   }
 
@@ -421,7 +421,7 @@ namespace ThermoContact
   Reset<dim>::settle_static_nodes(State                           &state,
                                   const std::vector<unsigned int> &closing)
   {
-    std::vector<double> &p = state.contact_pressure;
+    std::vector<double> &p = state.contact.pressure;
     Vector change = body.discretization.make_vector(Field::displacement),
            acceleration(change);
     get_node_laws(body, state, node_laws, node_positions);
@@ -455,7 +455,7 @@ namespace ThermoContact
   Reset<dim>::settle_viscous_nodes(const std::vector<bool> &is_closed,
                                    State                   &state)
   {
-    std::vector<double> &p = state.contact_pressure;
+    std::vector<double> &p = state.contact.pressure;
     Vector change = body.discretization.make_vector(Field::displacement);
     get_velocity_laws(body, state, is_closed, node_laws);
     for (unsigned int i = 0; i < p.size(); ++i)
@@ -482,7 +482,7 @@ namespace ThermoContact
   void
   Reset<dim>::move_static_nodes(State &state)
   {
-    std::vector<double> pressure(state.contact_pressure);
+    std::vector<double> pressure(state.contact.pressure);
     Vector change = body.discretization.make_vector(Field::displacement);
     get_node_laws(body, state, node_laws, node_positions);
     adiabatic_nodes.solve(
@@ -737,7 +737,7 @@ namespace ThermoContact
     body.obstacle.get_derivatives(state.load_time, obstacle);
     for (unsigned int i = 0; i < obstacle.size(); ++i)
       relative.push_back(0. - laws[i].of_local(obstacle[i].second));
-    inertia.solve(r, laws, relative, 1., acceleration, state.contact_pressure);
+    inertia.solve(r, laws, relative, 1., acceleration, state.contact.pressure);
     ++counters_.solves;
     set_exchange_of_law(body, state);
   }
@@ -774,7 +774,7 @@ namespace ThermoContact
     bool changed = false;
     for (unsigned int i = 0; i < node_laws.size(); ++i)
       {
-        double &p = state.contact_pressure[i];
+        double &p = state.contact.pressure[i];
         if (held_at)
           node_laws[i].face(*held_at, 0.);
         const double push = node_laws[i].without_pull(p);
@@ -806,7 +806,7 @@ namespace ThermoContact
         std::vector<unsigned int>
           closing; // other nodes in contact have pressure
         if (mode == ContactMode::open)
-          for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+          for (unsigned int i = 0; i < state.contact.pressure.size(); ++i)
             if (finding.changes_all_nodes || i == finding.node)
               closing.push_back(i);
         work =

@@ -5,7 +5,7 @@
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
-#include <thermocontact/method/critical_step.h>
+#include <thermocontact/method/impact_layer.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
 
 #include <deal.II/base/polynomial.h>
@@ -318,7 +318,7 @@ namespace ThermoContact
     if (!has_rigid && !scene.contact.compliance())
       return infinity;
     const double compliance = has_rigid ? 0. : *scene.contact.compliance();
-    return critical_step_size(b, zeta, compliance) < zeta ?
+    return time_of_impact(b, zeta, compliance) < zeta ?
              layer_of_impact(b, zeta, compliance) :
              infinity;
   }

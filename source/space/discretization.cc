@@ -433,10 +433,10 @@ namespace ThermoContact
     state.temperature  = make_vector(Field::temperature);
     state.displacement = make_vector(Field::displacement);
     state.velocity     = make_vector(Field::displacement);
-    state.contact_pressure.assign(contact_end_->n_nodes(), 0.);
-    state.exchange_coefficient = state.contact_pressure;
-    state.gap                  = state.contact_pressure;
-    state.gap_rate             = state.contact_pressure;
+    state.contact.pressure.assign(contact_end_->n_nodes(), 0.);
+    state.contact.exchange_coefficient = state.contact.pressure;
+    state.gap                          = state.contact.pressure;
+    state.gap_rate                     = state.contact.pressure;
     return state;
   }
 

@@ -74,6 +74,32 @@ namespace ThermoContact
 
   template <int dim>
   double
+  Energy<dim>::thermal_energy(const Vector &temperature,
+                              const Vector *subtracted) const
+  {
+    return 0.5 * form(Field::temperature,
+                      stage_operator.heat_mass,
+                      temperature,
+                      subtracted);
+  }
+
+
+
+  template <int dim>
+  double
+  Energy<dim>::elastic_energy(const Vector &displacement,
+                              const Vector *subtracted) const
+  {
+    return 0.5 * form(Field::displacement,
+                      stage_operator.stiffness,
+                      displacement,
+                      subtracted);
+  }
+
+
+
+  template <int dim>
+  double
   Energy<dim>::kinetic_energy(const Vector &velocity,
                               const Vector *subtracted) const
   {
@@ -138,14 +164,9 @@ namespace ThermoContact
   Energy<dim>::energy(const State &state) const
   {
     EnergyTerms terms;
-    terms.thermal = 0.5 * form(Field::temperature,
-                               stage_operator.heat_mass,
-                               state.temperature,
-                               &steady_profile_);
-    terms.kinetic = kinetic_energy(state.velocity);
-    terms.elastic =
-      0.5 *
-      form(Field::displacement, stage_operator.stiffness, state.displacement);
+    terms.thermal  = thermal_energy(state.temperature, &steady_profile_);
+    terms.kinetic  = kinetic_energy(state.velocity);
+    terms.elastic  = elastic_energy(state.displacement);
     terms.obstacle = obstacle_energy(state);
     if (material.has_thermal_stress())
       terms.coupling = -material.thermal_stress *
@@ -162,13 +183,9 @@ namespace ThermoContact
                                  const std::vector<double> &pressure) const
   {
     EnergyTerms terms;
-    terms.thermal              = 0.5 * form(Field::temperature,
-                               stage_operator.heat_mass,
-                               difference.temperature);
+    terms.thermal              = thermal_energy(difference.temperature);
     terms.kinetic              = kinetic_energy(difference.velocity);
-    terms.elastic              = 0.5 * form(Field::displacement,
-                               stage_operator.stiffness,
-                               difference.displacement);
+    terms.elastic              = elastic_energy(difference.displacement);
     const ContactEnd<dim> &end = discretization.contact_end();
     end.get_values(Field::displacement,
                    difference.displacement,
@@ -200,10 +217,11 @@ namespace ThermoContact
       {
         set_equal(heat_scratch, state.temperature);
         heat_scratch -= steady_profile_;
-        rate += mean_of_end(heat_scratch,
-                            [&](const unsigned int i, const double value) {
-                              return state.exchange_coefficient[i] * value;
-                            });
+        rate +=
+          mean_of_end(heat_scratch,
+                      [&](const unsigned int i, const double value) {
+                        return state.contact.exchange_coefficient[i] * value;
+                      });
       }
     return rate;
   }
@@ -242,16 +260,10 @@ namespace ThermoContact
   Energy<dim>::numerical_dissipation(const State &old_state,
                                      const State &state) const
   {
-    const double sum = 0.5 * form(Field::temperature,
-                                  stage_operator.heat_mass,
-                                  state.temperature,
-                                  &old_state.temperature) +
-                       kinetic_energy(state.velocity, &old_state.velocity) +
-                       0.5 * form(Field::displacement,
-                                  stage_operator.stiffness,
-                                  state.displacement,
-                                  &old_state.displacement);
-    return sum + contact_dissipation(old_state, state);
+    return thermal_energy(state.temperature, &old_state.temperature) +
+           kinetic_energy(state.velocity, &old_state.velocity) +
+           elastic_energy(state.displacement, &old_state.displacement) +
+           contact_dissipation(old_state, state);
   }
 
 
@@ -280,7 +292,7 @@ namespace ThermoContact
           rate +=
             area *
             mean_of_end(heat_scratch, [&](const unsigned int i, const double) {
-              const double k = state.exchange_coefficient[i];
+              const double k = state.contact.exchange_coefficient[i];
               return k * (surroundings.temperature(i, state.load_time) -
                           surroundings.reference(i)) -
                      (k - reference_coefficient) *
@@ -326,8 +338,7 @@ namespace ThermoContact
   double
   Energy<dim>::steady_profile_energy() const
   {
-    return 0.5 *
-           form(Field::temperature, stage_operator.heat_mass, steady_profile_);
+    return thermal_energy(steady_profile_);
   }
 
 
@@ -338,7 +349,7 @@ namespace ThermoContact
                                  std::vector<double> &scratch) const
   {
     if (!contact.is_damped())
-      return state.contact_pressure;
+      return state.contact.pressure;
     const ContactEnd<dim> &end = discretization.contact_end();
     end.get_values(Field::displacement, state.velocity, end_velocity);
     get_node_laws(contact, end, state, laws, position);
@@ -352,7 +363,7 @@ namespace ThermoContact
           laws[i].elastic_pressure(position[i]) :
           laws[i].elastic_pressure(position[i],
                                    end_velocity[i],
-                                   state.contact_pressure[i],
+                                   state.contact.pressure[i],
                                    rounding);
     return scratch;
   }
@@ -369,7 +380,7 @@ namespace ThermoContact
     double                     rate    = 0.;
     for (unsigned int i = 0; i < elastic.size(); ++i)
       {
-        const double p = state.contact_pressure[i];
+        const double p = state.contact.pressure[i];
         rate += discretization.contact_end().share(i) * (p - elastic[i]) *
                 (end_velocity[i] - laws[i].rate_under(std::min(p, elastic[i])));
       }
@@ -387,7 +398,7 @@ namespace ThermoContact
     double power = 0.;
     for (unsigned int i = 0; i < laws.size(); ++i)
       {
-        const double p = state.contact_pressure[i];
+        const double p = state.contact.pressure[i];
         power -= end.share(i) * p * laws[i].rate_under(p);
       }
     return power;

@@ -167,7 +167,7 @@ namespace ThermoContact
                                  u - state.gap[i] :
                                  state.known_penetration[i];
       }
-    values.pressure = state.contact_pressure;
+    values.pressure = state.contact.pressure;
     if (!contact.is_damped())
       return;
     for (unsigned int i = 0; i < n; ++i)
@@ -210,7 +210,7 @@ namespace ThermoContact
                       const unsigned int node)
   {
     const SceneContact &contact = body.scene.contact;
-    const double        p       = state.contact_pressure[node];
+    const double        p       = state.contact.pressure[node];
     return contact.place(p < 0. ? -1 : 1, node, state.gap[node]) +
            contact.law_under(p, node).penetration(p);
   }
@@ -231,7 +231,7 @@ namespace ThermoContact
       {
         laws[i].is_held = is_held;
         // waves change the velocity of an end at a dashpot in the next step
-        state.contact_pressure[i] =
+        state.contact.pressure[i] =
           body.scene.has_midpoint_mass && body.scene.contact.has_dashpot() ?
             laws[i].elastic_pressure(position[i]) :
             laws[i].pressure_at(position[i], velocity[i]);

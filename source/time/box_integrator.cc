@@ -331,8 +331,8 @@ namespace ThermoContact
   {
     if (n_heat_stages == 0 || !present.begins_at_break ||
         body.scene.heat.exchange->is_in_matrices())
-      return state.exchange_coefficient[c];
-    const double p     = state.contact_pressure[c];
+      return state.contact.exchange_coefficient[c];
+    const double p     = state.contact.pressure[c];
     const double theta = contacts[c].sum(
       [&](const ContactSide &side) { return side.value(state.temperature); });
     return body.scene.heat.exchange->coefficient(
@@ -369,7 +369,7 @@ namespace ThermoContact
     const SceneContact &contact = body.scene.contact;
     const double        u       = contacts[c].sum(
       [&](const ContactSide &side) { return side.value(state.displacement); });
-    const double p = state.contact_pressure[c];
+    const double p = state.contact.pressure[c];
     // the pressure has more digits than the difference of displacement and gap
     const auto start = [](const ContactLaw &law,
                           const double      penetration,
@@ -499,7 +499,7 @@ namespace ThermoContact
     // one behind rests
     const double own_velocity = velocity_of(c, state);
     const double own_change   = 2. * (path.free_velocity - own_velocity);
-    const double old_pressure = state.contact_pressure[c];
+    const double old_pressure = state.contact.pressure[c];
     end.masses                = ThermoContact::follow_masses(
       {path.size,
                       {path.front, velocity, change / path.size},
@@ -641,8 +641,13 @@ namespace ThermoContact
                               const Releases    &releases)
   {
     if (n_heat_stages == 0 || body.scene.heat.exchange->is_in_matrices())
-      return contact_for(
-        c, state, state.exchange_coefficient[c], free, path, size, releases);
+      return contact_for(c,
+                         state,
+                         state.contact.exchange_coefficient[c],
+                         free,
+                         path,
+                         size,
+                         releases);
     EndContact          end;
     const HeatExchange &exchange = *body.scene.heat.exchange;
     const double        new_time = heat_times.back();
@@ -800,13 +805,13 @@ namespace ThermoContact
 
     if (!body.scene.heat.exchange->is_in_matrices())
       for (unsigned int c = 0; c < contacts.size(); ++c)
-        new_state.exchange_coefficient[c] = ends[c].end_coefficient;
+        new_state.contact.exchange_coefficient[c] = ends[c].end_coefficient;
     if (!body.law().is_active())
       return;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const EndContact &end         = ends[c];
-        new_state.contact_pressure[c] = end.end_pressure;
+        new_state.contact.pressure[c] = end.end_pressure;
         if (const ContactLaw &law =
               body.scene.contact.law_under(end.end_pressure, c);
             law.is_damped() || (end.end_pressure == 0. && !law.is_rigid() &&
@@ -945,7 +950,7 @@ namespace ThermoContact
         sum += of_side(i);
       return sum;
     };
-    const double stopped = state.contact_pressure[c];
+    const double stopped = state.contact.pressure[c];
     const double free    = contact.sum(
       [&](const ContactSide &side) { return side.value(rates.velocity); });
     const int    side = stopped != 0. ? (stopped > 0. ? 1 : -1) :
@@ -1043,7 +1048,7 @@ namespace ThermoContact
       path.rear > 0. ? -path.rear : std::max(path.front, 0.);
     const double before = within != 0. && law_of(within).can_be_silent() ?
                             within :
-                            state.contact_pressure[c];
+                            state.contact.pressure[c];
     const double after  = law_of(end.contact.end_pressure).can_be_silent() ?
                             end.contact.end_pressure :
                             end.end_pressure;
@@ -1084,7 +1089,7 @@ namespace ThermoContact
       return at(end.masses->change_time / path.size, 0.);
     // what arrives, without the pressure that the end has had
     const double velocity = velocity_of(c, state) +
-                            state.contact_pressure[c] / contact.impedance -
+                            state.contact.pressure[c] / contact.impedance -
                             (side > 0 ? state.gap_rate[c] : 0.);
     // where the mean velocity of the step takes it to the surface; what arrives
     // there, if that changes steadily up to the next step
@@ -1124,7 +1129,7 @@ namespace ThermoContact
       2. * contact.impedance * (end.free_velocity - rate) - stopping;
     const double stopped = present.begins_at_break ?
                              side * std::max(0., side * behind_break) :
-                             state.contact_pressure[c];
+                             state.contact.pressure[c];
     return at(stopped / (stopped - stopping), leaving);
   }
 
@@ -1169,7 +1174,7 @@ namespace ThermoContact
       present.first_loads + 0.5 * (present.last_loads - present.first_loads);
     for (unsigned int c = 0; c < ends.size(); ++c)
       {
-        stage.contact_pressure[c] = ends[c].contact.pressure;
+        stage.contact.pressure[c] = ends[c].contact.pressure;
         result.contact_dissipation +=
           size * body.contact_end().share(c) * ends[c].contact.damping_power;
       }
@@ -1186,7 +1191,7 @@ namespace ThermoContact
         acceleration *= 2. / size;
       }
 
-    result.add_impulse(size, stage.contact_pressure, body);
+    result.add_impulse(size, stage.contact.pressure, body);
     result.work += size * body.energy.obstacle_power(stage) + work_of_impacts;
     const auto add =
       [&](const double weight, const Vector &heat, const Vector &heating) {
@@ -1206,7 +1211,7 @@ namespace ThermoContact
         stage.load_time = heat_times[i];
         if (!body.scene.heat.exchange->is_in_matrices())
           for (unsigned int c = 0; c < ends.size(); ++c)
-            stage.exchange_coefficient[c] = ends[c].coefficient[i];
+            stage.contact.exchange_coefficient[c] = ends[c].coefficient[i];
         add(HeatStages::weights[i], heat_load[i], rates.temperature_rate[i]);
       }
   }

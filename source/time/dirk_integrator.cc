@@ -85,9 +85,7 @@ namespace ThermoContact
     set_sum(known.displacement, state.displacement, rate_sums[1].data(), i);
     set_sum(known.velocity, state.velocity, rate_sums[2].data(), i);
     const StageRates *const last = i > 0 ? &stages[i - 1] : nullptr;
-    known.contact_pressure = last ? last->pressure : state.contact_pressure;
-    known.exchange_coefficient =
-      last ? last->exchange_coefficient : state.exchange_coefficient;
+    known.contact                = last ? last->contact : state.contact;
   }
 
 
@@ -142,8 +140,7 @@ namespace ThermoContact
     // the known values of a driven end are those of its stage already
     driven.complete(i, stage, accelerations[i]);
     set_equal(known.velocity, stage.velocity);
-    known.contact_pressure     = stage.pressure;
-    known.exchange_coefficient = stage.exchange_coefficient;
+    known.contact = stage.contact;
   }
 
 
@@ -170,7 +167,7 @@ namespace ThermoContact
     result.order = tableau->order;
     if (!result.failure.empty())
       return;
-    if (result.state.contact_pressure.size() != known.contact_pressure.size())
+    if (result.state.contact.pressure.size() != known.contact.pressure.size())
       result.state = known; // the first one: gets its layout
     else
       result.state.swap(known);
@@ -201,7 +198,7 @@ namespace ThermoContact
   DirkIntegrator<dim>::pushes() const
   {
     for (unsigned int i = 0; i < tableau->n_stages(); ++i)
-      for (const double pressure : stages[i].pressure)
+      for (const double pressure : stages[i].contact.pressure)
         if (pressure != 0.)
           return true;
     return false;
@@ -316,7 +313,7 @@ namespace ThermoContact
     add_sum(difference.temperature, rate_sums[0]);
     add_sum(difference.displacement, rate_sums[1]);
     add_sum(difference.velocity, rate_sums[2]);
-    const std::vector<double> &pressure = result.state.contact_pressure;
+    const std::vector<double> &pressure = result.state.contact.pressure;
     if (can_change_at_once(mode))
       keep_contact(mode, pressure);
     result.error = body.energy.difference_energy(difference, pressure);
@@ -484,7 +481,7 @@ namespace ThermoContact
   bool
   DirkIntegrator<dim>::is_partial(const State &state) const
   {
-    const auto &pressures = state.contact_pressure;
+    const auto &pressures = state.contact.pressure;
     const auto  n_open    = std::count(pressures.begin(), pressures.end(), 0.);
     return n_open != 0 && n_open != std::ptrdiff_t(pressures.size());
   }
@@ -496,9 +493,10 @@ namespace ThermoContact
   DirkIntegrator<dim>::closes_nodes(const State &state) const
   {
     for (unsigned int i = 0; i < tableau->n_stages(); ++i)
-      for (unsigned int node = 0; node < stages[i].pressure.size(); ++node)
-        if (state.contact_pressure[node] == 0. &&
-            stages[i].pressure[node] != 0.)
+      for (unsigned int node = 0; node < stages[i].contact.pressure.size();
+           ++node)
+        if (state.contact.pressure[node] == 0. &&
+            stages[i].contact.pressure[node] != 0.)
           return true;
     return false;
   }
@@ -523,7 +521,7 @@ namespace ThermoContact
   DirkIntegrator<dim>::closed_at_end(const ContactMode mode) const
   {
     std::vector<bool> is_closed;
-    for (const double p : stages[tableau->n_stages() - 1].pressure)
+    for (const double p : stages[tableau->n_stages() - 1].contact.pressure)
       is_closed.push_back(mode == ContactMode::closed || p != 0.);
     return is_closed;
   }
@@ -543,7 +541,7 @@ namespace ThermoContact
       return;
     const std::vector<bool> is_closed = closed_at_end(mode);
     for (unsigned int i = 0; i < is_closed.size(); ++i)
-      if (is_closed[i] && state.contact_pressure[i] == 0.)
+      if (is_closed[i] && state.contact.pressure[i] == 0.)
         {
           result.closed_nodes = is_closed;
           return;

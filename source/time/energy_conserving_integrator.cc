@@ -119,7 +119,7 @@ namespace ThermoContact
       for (const auto &[node, entry] :
            body.contact_end().all_entries(Field::displacement))
         midpoint.velocity.begin()[entry] = result.state.velocity.begin()[entry];
-    midpoint.contact_pressure = rates.pressure;
+    midpoint.contact.pressure = rates.contact.pressure;
     if (body.boundary_flows.is_active())
       {
         set_sum(midpoint.displacement,
@@ -185,7 +185,7 @@ namespace ThermoContact
     body.contact_end().get_values(Field::displacement,
                                   rates.velocity,
                                   velocity);
-    old_free_position = product(receptance, state.contact_pressure);
+    old_free_position = product(receptance, state.contact.pressure);
     free_position.resize(n);
     double displacement_scale = 0.;
     for (unsigned int i = 0; i < n; ++i)
@@ -209,11 +209,16 @@ namespace ThermoContact
       }
     FullMatrix<double> difference(solver.response());
     difference.add(-1., receptance);
-    rates.pressure     = state.contact_pressure;
-    rates.n_iterations = contact->step_pressure(
-      laws, start, free_end, difference, displacement_scale, rates.pressure);
+    rates.contact.pressure = state.contact.pressure;
+    rates.n_iterations     = contact->step_pressure(laws,
+                                                start,
+                                                free_end,
+                                                difference,
+                                                displacement_scale,
+                                                rates.contact.pressure);
     solver.apply_pressure(rates);
-    const std::vector<double> loss = product(difference, rates.pressure);
+    const std::vector<double> loss =
+      product(difference, rates.contact.pressure);
     for (unsigned int i = 0; i < n; ++i)
       free_position[i] -= 2. * loss[i];
   }
@@ -226,8 +231,8 @@ namespace ThermoContact
                                                   const TimeStep &time_step,
                                                   State          &new_state)
   {
-    std::vector<double> &pressure = new_state.contact_pressure;
-    pressure                      = rates.pressure;
+    std::vector<double> &pressure = new_state.contact.pressure;
+    pressure                      = rates.contact.pressure;
     get_node_laws(
       body.scene.contact, new_state.gap, free_position, laws, start);
     contact->equilibrium(laws, start, pressure);
@@ -244,7 +249,8 @@ namespace ThermoContact
     // nodes without pressure follow from the middle of the step to its end
     std::vector<double> more(pressure);
     for (unsigned int i = 0; i < more.size(); ++i)
-      more[i] = 2. * rates.pressure[i] - state.contact_pressure[i] - more[i];
+      more[i] =
+        2. * rates.contact.pressure[i] - state.contact.pressure[i] - more[i];
     std::vector<double> position = product(all_receptance, more);
     for (unsigned int i = 0; i < position.size(); ++i)
       {

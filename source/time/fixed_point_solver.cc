@@ -2,7 +2,7 @@
 
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/tolerances.h>
-#include <thermocontact/method/critical_step.h>
+#include <thermocontact/method/impact_layer.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/fixed_point_solver.h>
 
@@ -85,11 +85,12 @@ namespace ThermoContact
   {
     const ContactEnd<dim> &end = body.contact_end();
     end.get_values(Field::displacement, rates.velocity, contact_velocity);
-    rates.pressure.resize(contact_velocity.size());
-    for (unsigned int i = 0; i < rates.pressure.size(); ++i)
+    rates.contact.pressure.resize(contact_velocity.size());
+    for (unsigned int i = 0; i < rates.contact.pressure.size(); ++i)
       {
-        const double v    = contact_velocity[i];
-        rates.pressure[i] = laws[i].pressure_at(known_position[i] + tau * v, v);
+        const double v = contact_velocity[i];
+        rates.contact.pressure[i] =
+          laws[i].pressure_at(known_position[i] + tau * v, v);
       }
   }
 
@@ -139,7 +140,7 @@ namespace ThermoContact
                                           tau * tau,
                                           momentum_stage_rhs);
         body.contact_end().subtract_load(Field::displacement,
-                                         rates.pressure,
+                                         rates.contact.pressure,
                                          tau,
                                          momentum_stage_rhs);
         momentum_system->solve(rates.velocity, momentum_stage_rhs);
@@ -228,9 +229,9 @@ namespace ThermoContact
     message << "\n  remedy:  ";
     if (rho >= 1.)
       message << "Time/Step size below "
-              << critical_step_size(body.scene.material.inertia,
-                                    body.scene.material.viscosity,
-                                    body.law().tangent(0.))
+              << time_of_impact(body.scene.material.inertia,
+                                body.scene.material.viscosity,
+                                body.law().tangent(0.))
               << ", or ";
     else
       message << "more Solver/Fixed point iterations, a smaller Time/Step size "

@@ -199,19 +199,19 @@ namespace ThermoContact
     }
     rates.start(known);
     if (mode != ContactMode::open)
-      rates.pressure = known.contact_pressure;
-    stage.prepare(known, tau, heat_load, momentum_load, rates.pressure);
+      rates.contact.pressure = known.contact.pressure;
+    stage.prepare(known, tau, heat_load, momentum_load, rates.contact.pressure);
     factor = get_stage_laws(body, known, tau, mode, rates.held_at, laws, start);
     n_sets = 0;
     if (body.scene.heat.exchange->is_in_matrices())
-      n_sets = meet_laws(rates.pressure);
+      n_sets = meet_laws(rates.contact.pressure);
     else
       {
-        end_pressures = rates.pressure;
+        end_pressures = rates.contact.pressure;
         solve_by_secants(*this,
                          body.scene.linear_solver.tolerance,
-                         rates.exchange_coefficient);
-        rates.pressure = end_pressures;
+                         rates.contact.exchange_coefficient);
+        rates.contact.pressure = end_pressures;
       }
     if (body.law().is_active() && mode != ContactMode::open)
       {
@@ -225,7 +225,7 @@ namespace ThermoContact
     if (body.scene.fields.has_displacement)
       rates.velocity.copy_locally_owned_data_from(
         stage.unknowns(Field::displacement));
-    rates.algebraic_power = algebraic_power(known, tau, rates.pressure);
+    rates.algebraic_power = algebraic_power(known, tau, rates.contact.pressure);
   }
 
 

@@ -229,7 +229,7 @@ namespace ThermoContact
   void
   MonolithicSolver<dim>::apply_pressure(StageRates &rates) const
   {
-    subtract_responses(Field::displacement, rates.pressure, rates);
+    subtract_responses(Field::displacement, rates.contact.pressure, rates);
   }
 
 
@@ -266,9 +266,7 @@ namespace ThermoContact
     if (is_open)
       return; // zero pressures solve (C2.4)
 
-    std::copy(known.contact_pressure.begin(),
-              known.contact_pressure.end(),
-              rates.pressure.begin());
+    rates.contact.pressure                          = known.contact.pressure;
     const FullMatrix<double> &displacement_response = response();
     rates.n_iterations =
       problem.solve(body.scene.contact.is_damped() ?
@@ -276,7 +274,7 @@ namespace ThermoContact
                       displacement_response,
                     laws,
                     free,
-                    rates.pressure);
+                    rates.contact.pressure);
     apply_pressure(rates);
   }
 
@@ -309,14 +307,11 @@ namespace ThermoContact
                                        tau * response.free_temperature[i];
       }
 
-    end_exchange.pressure    = known.contact_pressure;
-    end_exchange.coefficient = known.exchange_coefficient;
-    rates.n_iterations =
-      solve_contact_and_exchange(exchange, response, laws, end_exchange);
-    rates.pressure             = end_exchange.pressure;
-    rates.exchange_coefficient = end_exchange.coefficient;
+    rates.contact      = known.contact;
+    rates.n_iterations = solve_contact_and_exchange(
+      exchange, response, laws, rates.contact, end_flux);
     apply_pressure(rates);
-    subtract_responses(Field::temperature, end_exchange.flux, rates);
+    subtract_responses(Field::temperature, end_flux, rates);
   }
 
 
@@ -367,7 +362,7 @@ namespace ThermoContact
       refine(known,
              heat_load,
              momentum_load,
-             has_flux ? end_exchange.flux : std::vector<double>(),
+             has_flux ? end_flux : std::vector<double>(),
              rates);
   }
 
@@ -484,7 +479,7 @@ namespace ThermoContact
     if (!flux.empty())
       body.contact_end().subtract_load(Field::temperature, flux, 1., heat_rhs);
     body.contact_end().subtract_load(Field::displacement,
-                                     rates.pressure,
+                                     rates.contact.pressure,
                                      tau,
                                      momentum_rhs);
     if (body.scene.fields.has_temperature)
@@ -504,14 +499,14 @@ namespace ThermoContact
   {
     const StopWatch           watch(counters_.contact_seconds);
     const double              tau        = factorizations.front().tau;
-    const unsigned int        n          = rates.pressure.size();
+    const unsigned int        n          = rates.contact.pressure.size();
     const FullMatrix<double> &receptance = response();
     StageRates                change(rates);
     std::vector<double>       slope(n, 0.), misfit;
     for (unsigned int i = 0; i < n; ++i)
-      if (laws[i].is_held || rates.pressure[i] != 0.)
+      if (laws[i].is_held || rates.contact.pressure[i] != 0.)
         slope[i] = laws[i]
-                     .tangent_of_pressure(rates.pressure[i])
+                     .tangent_of_pressure(rates.contact.pressure[i])
                      .slope(receptance(i, i));
 
     for (unsigned int k = 0; k < max_refinements; ++k)
@@ -527,16 +522,17 @@ namespace ThermoContact
                                       misfit);
         for (unsigned int i = 0; i < n; ++i)
           misfit[i] = start[i] + tau * misfit[i] -
-                      laws[i].position_of_pressure(rates.pressure[i]);
+                      laws[i].position_of_pressure(rates.contact.pressure[i]);
         change.velocity -= rates.velocity;
-        change.pressure = change_of_pressure(receptance, slope, misfit);
+        change.contact.pressure = change_of_pressure(receptance, slope, misfit);
         for (unsigned int i = 0; i < n; ++i)
           {
-            double &p = rates.pressure[i];
+            double &p = rates.contact.pressure[i];
             if (!laws[i].is_held) // no obstacle pulls
-              change.pressure[i] = p < 0. ? std::min(change.pressure[i], -p) :
-                                            std::max(change.pressure[i], -p);
-            p += change.pressure[i];
+              change.contact.pressure[i] =
+                p < 0. ? std::min(change.contact.pressure[i], -p) :
+                         std::max(change.contact.pressure[i], -p);
+            p += change.contact.pressure[i];
           }
         apply_pressure(change);
         rates.temperature_rate += change.temperature_rate;

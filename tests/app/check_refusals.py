@@ -205,7 +205,7 @@ SCENES = [
     ("Time/Scheme", BOX + WAVES, "Mesh/Grading=1.001", "Mesh/Grading=1"),
     ("Time/Scheme", BOX + WAVES, "Contact/Massless nodes=on",
      "Contact/Massless nodes=automatic", "Contact/Massless nodes=off"),
-    ("Mesh/Mass matrix", BOX + WAVES, "Mesh/Mass matrix=lumped",
+    ("Time/Scheme", BOX + WAVES, "Mesh/Mass matrix=lumped",
      "Mesh/Mass matrix=consistent", ("Mesh/Mass matrix=lumped", "Time/Scheme=sdirk4")),
     ("Time/Step size", WAVES + ("Time/Scheme=energy conserving",), "Time/Step size=automatic",
      "Time/Step size=0.01"),
@@ -228,10 +228,10 @@ SCENES = [
      "Boundary/left/Dashpot=1", "Boundary/left/Dashpot=0",
      ("Boundary/left/Dashpot=1", "Model/Viscosity=0.1")),
     ("Boundary/right/Spring", ITERATION, "Boundary/right/Spring=1", "Boundary/right/Spring=0"),
-    *[(f"Boundary/right/{what}", BOX + WAVES, f"Boundary/right/{what}=1",
+    *[("Time/Scheme", BOX + WAVES, f"Boundary/right/{what}=1",
        f"Boundary/right/{what}=0", (f"Boundary/right/{what}=1", "Time/Scheme=sdirk4"))
       for what in ("Spring", "Dashpot", "Mass")],
-    ("Boundary/left/Mass", BOX + WAVES + FREE, "Boundary/left/Mass=1", "Boundary/left/Mass=0",
+    ("Time/Scheme", BOX + WAVES + FREE, "Boundary/left/Mass=1", "Boundary/left/Mass=0",
      "Boundary/left/Spring=1", "Boundary/left/Dashpot=1"),
     *[("Contact/Massless nodes", (f"Boundary/right/{what}=1",), "Contact/Massless nodes=on",
        "Contact/Massless nodes=off", "Contact/Massless nodes=automatic")

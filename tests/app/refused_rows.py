@@ -118,7 +118,7 @@ SCENES = [
     ("Bodies/a/Stiffness", TWO, "Bodies/a/Stiffness=2+sin(1e9*x)", "Bodies/a/Stiffness=2+sin(x)"),
     # coefficients of the temperature
     ("Bodies/a/Stiffness", TWO + MOVING + SDIRK, "Bodies/a/Stiffness=2+theta", "Bodies/a/Stiffness=2+x"),
-    ("Bodies/a/Coupling", TWO, ("Bodies/a/Coupling=2+theta", "Time/Scheme=box"),
+    ("Time/Scheme", TWO, ("Bodies/a/Coupling=2+theta", "Time/Scheme=box"),
      ("Bodies/a/Coupling=2+theta", "Contact/Condition=normal compliance")),
     ("Bodies/a/Section", TWO, "Bodies/a/Section=1+theta", "Bodies/a/Section=1+x"),
     ("Bodies/a/Conductivity", TWO + SDIRK, "Bodies/a/Conductivity=theta-1", "Bodies/a/Conductivity=2+theta/1e3"),

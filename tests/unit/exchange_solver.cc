@@ -94,12 +94,29 @@ namespace
 
 
 
+  struct EndExchange : ObstacleAction
+  {
+    std::vector<double> flux;
+  };
+
+
+
   EndExchange
   start(const unsigned int n, const double k)
   {
-    return {std::vector<double>(n, 0.),
-            std::vector<double>(n, 0.),
-            std::vector<double>(n, k)};
+    const std::vector<double> none(n, 0.);
+    return {{none, std::vector<double>(n, k)}, none};
+  }
+
+
+
+  unsigned int
+  solve(const HeatExchange         &exchange,
+        const EndResponse          &response,
+        const std::vector<NodeLaw> &laws,
+        EndExchange                &end)
+  {
+    return solve_contact_and_exchange(exchange, response, laws, end, end.flux);
   }
 
 
@@ -131,32 +148,26 @@ namespace
     for (const double k : {0., 0.3, 20.})
       {
         EndExchange end = start(1, k);
-        solve_contact_and_exchange(exchange,
-                                   separate_nodes(1, 0.5, 3.),
-                                   laws_of(*law, 1),
-                                   end);
+        solve(exchange, separate_nodes(1, 0.5, 3.), laws_of(*law, 1), end);
         deallog << "from k = " << k << ": open, flux "
                 << end.flux[0] / (y + 0.5) << ", pressure " << end.pressure[0]
-                << ", k " << end.coefficient[0] * (1. + y);
+                << ", k " << end.exchange_coefficient[0] * (1. + y);
         end = start(1, k);
-        solve_contact_and_exchange(exchange,
-                                   separate_nodes(1, 3.5, 3.),
-                                   laws_of(*law, 1),
-                                   end);
+        solve(exchange, separate_nodes(1, 3.5, 3.), laws_of(*law, 1), end);
         deallog << "; closed, flux " << end.flux[0] / q << ", pressure "
                 << end.pressure[0] / (0.5 * (3.5 - q)) << std::endl;
       }
     EndExchange end = start(1, 0.3);
-    solve_contact_and_exchange(exchange,
-                               separate_nodes(1, 3.5, 3.),
-                               laws_of(*law, 1, ContactMode::open),
-                               end);
+    solve(exchange,
+          separate_nodes(1, 3.5, 3.),
+          laws_of(*law, 1, ContactMode::open),
+          end);
     deallog << "held open: flux " << end.flux[0] << ", pressure "
             << end.pressure[0];
-    solve_contact_and_exchange(exchange,
-                               separate_nodes(1, 0.5, 3.),
-                               laws_of(*law, 1, ContactMode::closed),
-                               end);
+    solve(exchange,
+          separate_nodes(1, 0.5, 3.),
+          laws_of(*law, 1, ContactMode::closed),
+          end);
     deallog << "; held closed: flux " << end.flux[0] << ", pressure "
             << end.pressure[0] << std::endl;
   }
@@ -170,13 +181,10 @@ namespace
     const Exchange exchange(
       [](const double, const double p) { return p > 0. ? 10. : 0.; });
     EndExchange end = start(1, 0.);
-    solve_contact_and_exchange(exchange,
-                               separate_nodes(1, 0.1, 1.),
-                               laws_of(*law, 1),
-                               end);
-    deallog << "jump: k " << end.coefficient[0] << ", flux " << end.flux[0]
-            << ", pressure below 1e-12 " << within(end.pressure[0], 1e-12)
-            << std::endl;
+    solve(exchange, separate_nodes(1, 0.1, 1.), laws_of(*law, 1), end);
+    deallog << "jump: k " << end.exchange_coefficient[0] << ", flux "
+            << end.flux[0] << ", pressure below 1e-12 "
+            << within(end.pressure[0], 1e-12) << std::endl;
   }
 
 
@@ -198,10 +206,10 @@ namespace
     for (const double k : {0., 1.})
       {
         EndExchange end = start(2, k);
-        solve_contact_and_exchange(exchange, response, laws_of(*law, 2), end);
+        solve(exchange, response, laws_of(*law, 2), end);
         deallog << "jump of two coupled nodes from k = " << k << ": k "
-                << end.coefficient[0] * 21. / 2. << ' '
-                << end.coefficient[1] * 18. / 5. << ", flux "
+                << end.exchange_coefficient[0] * 21. / 2. << ' '
+                << end.exchange_coefficient[1] * 18. / 5. << ", flux "
                 << end.flux[0] * 15. << ' ' << end.flux[1] * 6.
                 << ", pressure below 1e-12 "
                 << within(std::max(end.pressure[0], end.pressure[1]), 1e-12)
@@ -287,7 +295,7 @@ namespace
             scale = std::max(
               {scale, std::abs(end.pressure[j]), std::abs(end.flux[j])});
           }
-        const double p = end.pressure[i], k = end.coefficient[i];
+        const double p = end.pressure[i], k = end.exchange_coefficient[i];
         const bool   is_closed = is_held[i] || p > 0.;
         if (!is_held[i])
           raise(largest, -p);
@@ -329,7 +337,7 @@ namespace
                 std::vector<NodeLaw> laws = laws_of(*law, n);
                 for (unsigned int j = 0; j < n; ++j)
                   laws[j].is_held = is_held[j];
-                solve_contact_and_exchange(exchange, response, laws, end);
+                solve(exchange, response, laws, end);
                 raise(largest,
                       violation(response, end, *law, exchange, is_held));
                 for (const double p : end.pressure)
@@ -385,8 +393,8 @@ namespace
         BodyOf        body(stage);
         try
           {
-            solve_contact_and_exchange(exchange, response, laws, end);
-            solve_by_secants(body, 1e-12, other.coefficient);
+            solve(exchange, response, laws, end);
+            solve_by_secants(body, 1e-12, other.exchange_coefficient);
           }
         catch (const ComputationError &)
           {
@@ -396,8 +404,9 @@ namespace
         most = std::max(most, body.n_systems);
         for (unsigned int j = 0; j < 6; ++j)
           raise(change,
-                std::abs(end.coefficient[j] - other.coefficient[j]) /
-                  end.coefficient[j]);
+                std::abs(end.exchange_coefficient[j] -
+                         other.exchange_coefficient[j]) /
+                  end.exchange_coefficient[j]);
       }
     deallog << "by secants: the same to 1e-9 " << within(change, 1e-9)
             << ", at most 20 systems " << (most <= 20) << ", failed "
@@ -461,10 +470,10 @@ namespace
     EndExchange end = start(1, 1.);
     try
       {
-        solve_contact_and_exchange(exchange,
-                                   separate_nodes(1, -2., 1.),
-                                   laws_of(*law, 1, ContactMode::open),
-                                   end);
+        solve(exchange,
+              separate_nodes(1, -2., 1.),
+              laws_of(*law, 1, ContactMode::open),
+              end);
         deallog << "accepted" << std::endl;
       }
     catch (const ComputationError &error)
@@ -504,7 +513,7 @@ namespace
     response.penetration_by_flux(0, 0)     = tau;
     response.temperature_by_flux(0, 0)     = 0.;
     EndExchange end                        = start(1, 1.);
-    solve_contact_and_exchange(exchange, response, {node}, end);
+    solve(exchange, response, {node}, end);
     deallog << "damped, short stage: flux " << end.flux[0]
             << ", pressure to 1e-13 "
             << within(std::abs(end.pressure[0] - 2.), 1e-13) << std::endl;

@@ -189,7 +189,7 @@ namespace
                  const double d =
                    scene.is_round ? h - y : std::min(y, 2. * h - y);
                  const double difference =
-                   std::abs(s.state().contact_pressure[i] / scale - exact);
+                   std::abs(s.state().contact.pressure[i] / scale - exact);
                  if (t <= std::sqrt(b) * d)
                    raise(error, difference);
                  else if (d > 0.95 * h)
@@ -229,7 +229,7 @@ namespace
            more,
            [&](const Simulation<3> &s) {
              const auto &nodes = s.discretization().contact_end().nodes();
-             const auto &p     = s.state().contact_pressure;
+             const auto &p     = s.state().contact.pressure;
              std::vector<double> theta;
              s.discretization().contact_end().get_values(Field::temperature,
                                                          s.state().temperature,

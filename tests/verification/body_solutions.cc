@@ -147,11 +147,11 @@ namespace
                                             QGauss<2>(degree + 3),
                                             VectorTools::L2_norm);
           errors[0] = of_cells.l2_norm() / amplitude;
-          for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
+          for (unsigned int i = 0; i < state.contact.pressure.size(); ++i)
             {
               const double y = space.contact_end().nodes()[i].position[1];
               raise(errors[1],
-                    std::abs((state.contact_pressure[i] - exact.pressure(y)) /
+                    std::abs((state.contact.pressure[i] - exact.pressure(y)) /
                              (exact.pressure(0.) + mean)));
             }
         });

@@ -83,13 +83,13 @@ namespace
     get_contact_values(simulation.body(), state, values);
     const std::vector<double> &penetration = values.front.penetration;
     double                     worst = 0., largest = 1.;
-    for (const double p : state.contact_pressure)
+    for (const double p : state.contact.pressure)
       largest = std::max(largest, p);
     for (unsigned int i = 0; i < penetration.size(); ++i)
       {
-        const double p = state.contact_pressure[i] / largest;
+        const double p = state.contact.pressure[i] / largest;
         const double s =
-          (law.penetration(state.contact_pressure[i]) - penetration[i]) /
+          (law.penetration(state.contact.pressure[i]) - penetration[i]) /
           simulation.scene().contact.gap;
         raise(worst, std::max({-p, -s, std::abs(p * s)}));
       }
@@ -113,7 +113,7 @@ namespace
       raise(largest, std::abs(r.energy));
       raise(defect, std::abs(r.energy - first + r.dissipation));
       raise(balance.violation, violation(s));
-      const std::vector<double> &p = s.state().contact_pressure;
+      const std::vector<double> &p = s.state().contact.pressure;
       const unsigned int         n_active =
         std::count_if(p.begin(), p.end(), [](const double x) {
           return x > 0.;

@@ -77,7 +77,7 @@ namespace
     unsigned int n_contact = 0;
     for (unsigned int i = 0; i < end.n_nodes(); ++i)
       {
-        const bool   is_closed = state.contact_pressure[i] > 0.;
+        const bool   is_closed = state.contact.pressure[i] > 0.;
         const double spring =
           is_closed ? end.nodes()[i].weight / compliance : 0.;
         n_contact += is_closed;
@@ -122,8 +122,8 @@ namespace
     Reset<3>                 reset(body);
     const State              state = initial_state(body, reset, 0.03, warnings);
     double                   force = 0.;
-    for (unsigned int i = 0; i < state.contact_pressure.size(); ++i)
-      force += state.contact_pressure[i] * body.contact_end().nodes()[i].weight;
+    for (unsigned int i = 0; i < state.contact.pressure.size(); ++i)
+      force += state.contact.pressure[i] * body.contact_end().nodes()[i].weight;
     return force;
   }
 

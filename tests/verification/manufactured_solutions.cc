@@ -279,7 +279,7 @@ namespace
             error(VectorTools::H1_seminorm, 0, 1),
             error(VectorTools::L2_norm, 1, 1 + dim),
             error(VectorTools::H1_seminorm, 1, 1 + dim),
-            std::abs(state.contact_pressure[0] -
+            std::abs(state.contact.pressure[0] -
                      std::max(penetration, 0.) /
                        parameters.contact.law.at("Compliance")),
             ""};
@@ -320,7 +320,7 @@ namespace
     Simulation<dim> simulation(parameters, MPI_COMM_SELF);
     unsigned int    n_positive = 0, n_zero = 0;
     const auto      observe = [&](const Simulation<dim> &s) {
-      for (const double p : s.state().contact_pressure)
+      for (const double p : s.state().contact.pressure)
         (p > 0. ? n_positive : n_zero) += 1;
     };
     simulation.run({observe});

@@ -132,7 +132,7 @@ namespace
       MPI_COMM_SELF);
     unsigned int n_closed = 0, n_closing_steps = 0;
     const auto   observe = [&](const Simulation<2> &s) {
-      const auto        &pressure = s.state().contact_pressure;
+      const auto        &pressure = s.state().contact.pressure;
       const unsigned int n =
         std::count_if(pressure.begin(), pressure.end(), [](const double p) {
           return p > 0.;

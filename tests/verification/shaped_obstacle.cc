@@ -64,7 +64,7 @@ namespace
       contact.face = s.record();
       for (const auto &node : s.discretization().contact_end().nodes())
         contact.y.push_back(node.position[1]);
-      contact.pressure = s.state().contact_pressure;
+      contact.pressure = s.state().contact.pressure;
     };
     simulation.run({observe});
     return contact;
@@ -208,7 +208,7 @@ namespace
       std::vector<Point<3>> nodes;
       for (const auto &node : s.discretization().contact_end().nodes())
         nodes.push_back(node.position);
-      expected = sum_over_nodes(nodes, s.state().contact_pressure);
+      expected = sum_over_nodes(nodes, s.state().contact.pressure);
       found    = s.record();
     }});
     const auto same = [](const double a, const double b) {

@@ -228,7 +228,7 @@ namespace
       discretization.split(rates, heat, state.velocity);
       state.temperature += heat;
       state.displacement.add(tau, state.velocity);
-      state.contact_pressure = {p};
+      state.contact.pressure = {p};
     }
 
   private:
@@ -296,7 +296,7 @@ namespace
       raise(error, relative_difference(other.displacement, state.displacement));
       raise(error, relative_difference(other.velocity, state.velocity));
       raise(error,
-            std::abs(other.contact_pressure[0] - state.contact_pressure[0]));
+            std::abs(other.contact.pressure[0] - state.contact.pressure[0]));
       n_contact += s.record().in_contact;
     };
     simulation.run({observe});

@@ -40,8 +40,8 @@ namespace
     simulation.run({[&](const Simulation<dim> &s) {
       rows.push_back(s.record());
       const auto [smallest, largest] =
-        std::minmax_element(s.state().contact_pressure.begin(),
-                            s.state().contact_pressure.end());
+        std::minmax_element(s.state().contact.pressure.begin(),
+                            s.state().contact.pressure.end());
       if (has_both_signs != nullptr)
         *has_both_signs |= *smallest < -0.1 && *largest > 0.1;
     }});

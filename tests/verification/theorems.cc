@@ -171,7 +171,7 @@ namespace
                     const FieldVector &delta_theta,
                     const FieldVector &gamma)
     {
-      const double p         = state.contact_pressure[0];
+      const double p         = state.contact.pressure[0];
       const double delta_ux2 = form(stiffness, state.velocity);
       estimates.theorem_4_1.add(
         dt * dt * form(heat_mass, delta_theta) + dt * form(conduction, theta) +

@@ -5,6 +5,7 @@
 
 #include <thermocontact/contact/exchange_stage.h>
 #include <thermocontact/contact/heat_exchange.h>
+#include <thermocontact/contact/obstacle_action.h>
 #include <thermocontact/method/bracketed_root.h>
 
 #include <algorithm>
@@ -12,16 +13,6 @@
 
 namespace ThermoContact
 {
-  /** Pressure, heat flux into the obstacle and $k$ of each contact node. */
-  struct EndExchange
-  {
-    std::vector<double> pressure;
-    std::vector<double> flux;
-    std::vector<double> coefficient;
-  };
-
-
-
   /**
    * Contact and a heat exchange that depends on gap and pressure, at once:
    * pressures by the contact law and fluxes $q_i=k_i(\theta_i-\theta_{obs})$
@@ -39,8 +30,9 @@ namespace ThermoContact
    * @param response matrices $W$ and $H$ positive definite, but for positive
    *   scalings of their columns
    * @param laws of the nodes
-   * @param end in: pressures and coefficients nearby, from which the search
-   *   starts; out: the solution
+   * @param contact in: values nearby, from which the search starts; out: the
+   *   solution
+   * @param flux out: of heat into the obstacle
    * @return number of linear systems of contact for the coefficients of the
    *   solution; 0 if all nodes are open
    * @throw ComputationError if no solution is found, or if $k$ is negative or
@@ -50,7 +42,8 @@ namespace ThermoContact
   solve_contact_and_exchange(const HeatExchange         &exchange,
                              const EndResponse          &response,
                              const std::vector<NodeLaw> &laws,
-                             EndExchange                &end);
+                             ObstacleAction             &contact,
+                             std::vector<double>        &flux);
 
 
 

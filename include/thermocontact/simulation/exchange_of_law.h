@@ -32,11 +32,11 @@ namespace ThermoContact
                                   state.temperature,
                                   temperature);
     for (unsigned int i = 0; i < laws.size(); ++i)
-      state.exchange_coefficient[i] = coefficient_of_node(
+      state.contact.exchange_coefficient[i] = coefficient_of_node(
         *body.scene.heat.exchange,
         laws[i],
         position[i],
-        laws[i].without_pull(state.contact_pressure[i]),
+        laws[i].without_pull(state.contact.pressure[i]),
         body.surroundings.conditions(i, temperature[i], state.load_time));
   }
 } // namespace ThermoContact

@@ -195,7 +195,17 @@ namespace ThermoContact
     EnergyTerms
     common(const EnergyTerms &terms) const;
 
-    /** $b/2\|v\|^2$, of a difference if there is what to subtract. */
+    /** $\frac12\|\theta\|^2$, of a difference if there is what to subtract. */
+    double
+    thermal_energy(const Vector &temperature,
+                   const Vector *subtracted = nullptr) const;
+
+    /** $\frac12(C\varepsilon(u),\varepsilon(u))$, likewise. */
+    double
+    elastic_energy(const Vector &displacement,
+                   const Vector *subtracted = nullptr) const;
+
+    /** $\frac b2\|v\|^2$, likewise. */
     double
     kinetic_energy(const Vector &velocity,
                    const Vector *subtracted = nullptr) const;

@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/local_sums.h>
 #include <thermocontact/base/types.h>
+#include <thermocontact/contact/obstacle_action.h>
 
 #include <utility>
 #include <vector>
@@ -22,17 +23,7 @@ namespace ThermoContact
     Vector displacement; ///< $u$
     Vector velocity;     ///< $v$
 
-    /**
-     * Pressure $p_i$ at the contact nodes, on all ranks; negative at an
-     * obstacle behind, and of either sign in a step that holds them.
-     */
-    std::vector<double> contact_pressure;
-
-    /**
-     * Heat exchange coefficient $k_i\ge0$ at the contact nodes, on all ranks:
-     * by the law, or, where the law jumps, any between its limits there.
-     */
-    std::vector<double> exchange_coefficient;
+    ObstacleAction contact;
 
     /** Gaps $g$ at the contact nodes, on all ranks: where the obstacle is. */
     std::vector<double> gap;
@@ -75,7 +66,7 @@ namespace ThermoContact
     void
     copy_values(const State &from)
     {
-      if (contact_pressure.size() != from.contact_pressure.size())
+      if (contact.pressure.size() != from.contact.pressure.size())
         {
           *this = from; // the first one: gets its layout
           return;
@@ -83,9 +74,8 @@ namespace ThermoContact
       set_equal(temperature, from.temperature);
       set_equal(displacement, from.displacement);
       set_equal(velocity, from.velocity);
-      contact_pressure     = from.contact_pressure;
-      exchange_coefficient = from.exchange_coefficient;
-      contact_velocity     = from.contact_velocity;
+      contact          = from.contact;
+      contact_velocity = from.contact_velocity;
     }
 
     /** Exchanges two states without copying or allocating. */
@@ -98,10 +88,9 @@ namespace ThermoContact
       temperature.swap(other.temperature);
       displacement.swap(other.displacement);
       velocity.swap(other.velocity);
-      contact_pressure.swap(other.contact_pressure);
+      contact.swap(other.contact);
       gap.swap(other.gap);
       gap_rate.swap(other.gap_rate);
-      exchange_coefficient.swap(other.exchange_coefficient);
       known_penetration.swap(other.known_penetration);
       contact_velocity.swap(other.contact_velocity);
     }
@@ -111,8 +100,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &contact_pressure &exchange_coefficient &gap &gap_rate
-        &load_time &jump_time &contact_velocity;
+      archive &time &contact &gap &gap_rate &load_time &jump_time
+        &contact_velocity;
     }
   };
 } // namespace ThermoContact

@@ -68,8 +68,10 @@ namespace ThermoContact
     to_fluxes(const State &state, std::vector<double> &values) const
     {
       for (unsigned int i = 0; i < values.size(); ++i)
-        values[i] =
-          flux(i, state.exchange_coefficient[i], values[i], state.load_time);
+        values[i] = flux(i,
+                         state.contact.exchange_coefficient[i],
+                         values[i],
+                         state.load_time);
     }
 
     /** What the law of the exchange is told of a node. */

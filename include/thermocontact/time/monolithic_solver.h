@@ -89,7 +89,7 @@ namespace ThermoContact
     response();
 
     /**
-     * Adds the response to @p rates.pressure to the rates of the stage that was
+     * Adds the response to @p rates.contact.pressure to the rates of the stage that was
      * solved last without contact.
      */
     void
@@ -137,9 +137,9 @@ namespace ThermoContact
     // the contact nodes of a stage: penetrations, or velocities where the law
     // has damping, as the laws measure them
     std::vector<NodeLaw> laws;
-    std::vector<double>  start; ///< local positions at the known values
-    std::vector<double>  free;  ///< without pressure
-    EndExchange          end_exchange;
+    std::vector<double>  start;    ///< local positions at the known values
+    std::vector<double>  free;     ///< without pressure
+    std::vector<double>  end_flux; ///< of heat into the obstacle
 
     /** Puts the factorisation for @p tau in front. */
     void

@@ -20,10 +20,9 @@ namespace ThermoContact
   /** The solution of one implicit stage, doc/discretisation.md (D2.1). */
   struct StageRates
   {
-    Vector              temperature_rate;     ///< $\theta'$
-    Vector              velocity;             ///< $v=u'$
-    std::vector<double> pressure;             ///< $p_i$ at the contact nodes
-    std::vector<double> exchange_coefficient; ///< $k_i$ there
+    Vector         temperature_rate; ///< $\theta'$
+    Vector         velocity;         ///< $v=u'$
+    ObstacleAction contact;
 
     /**
      * in: of closed stages, the obstacle at which each node is held, 1 or -1,
@@ -45,8 +44,8 @@ namespace ThermoContact
     {
       failure.clear();
       n_iterations = 0;
-      pressure.assign(known.contact_pressure.size(), 0.);
-      exchange_coefficient = known.exchange_coefficient;
+      contact      = known.contact;
+      contact.pressure.assign(contact.pressure.size(), 0.);
     }
   };
 

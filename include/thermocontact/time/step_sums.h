@@ -130,7 +130,7 @@ namespace ThermoContact
     add_contact(const double weight, const State &state, Body<dim> &body)
     {
       contact_dissipation += weight * body.energy.damping_rate(state);
-      add_impulse(weight, state.contact_pressure, body);
+      add_impulse(weight, state.contact.pressure, body);
       if (body.energy.has_work())
         work += weight * body.energy.obstacle_power(state);
     }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/method/critical_step.h>
+#include <thermocontact/method/impact_layer.h>
 
 #include <cmath>
 
 namespace ThermoContact
 {
   double
-  critical_step_size(const double inertia,
-                     const double viscosity,
-                     const double compliance)
+  time_of_impact(const double inertia,
+                 const double viscosity,
+                 const double compliance)
   {
     // The only positive root of a convex-concave cubic: the iteration
     // dt <- (b eps^2 (dt + zeta))^(1/3) is a monotone contraction from above.
@@ -27,7 +27,7 @@ namespace ThermoContact
                   const double viscosity,
                   const double compliance)
   {
-    return std::sqrt(
-      viscosity * critical_step_size(inertia, viscosity, compliance) / inertia);
+    return std::sqrt(viscosity *
+                     time_of_impact(inertia, viscosity, compliance) / inertia);
   }
 } // namespace ThermoContact
