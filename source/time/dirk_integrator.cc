@@ -50,8 +50,6 @@ namespace ThermoContact
                               nullptr)
     , driven(body)
     , stages(of_scheme.n_stages())
-    , accelerations(of_scheme.n_stages(),
-                    body.discretization.make_vector(Field::displacement))
     , known(body.make_state())
     , difference(known)
     , heat_load(body.discretization.make_vector(Field::temperature))
@@ -61,6 +59,7 @@ namespace ThermoContact
       {
         stage.temperature_rate = heat_load;
         stage.velocity         = momentum_load;
+        stage.acceleration     = momentum_load;
       }
   }
 
@@ -72,18 +71,13 @@ namespace ThermoContact
                                         const double       step_size,
                                         const unsigned int i)
   {
-    for (std::vector<Multiple> &sum : rate_sums)
-      sum.clear();
-    for (unsigned int j = 0; j < i; ++j)
+    for (unsigned int k = 0; k < known.vectors().size(); ++k)
       {
-        const double factor = step_size * tableau->a[i][j];
-        rate_sums[0].push_back({factor, &stages[j].temperature_rate});
-        rate_sums[1].push_back({factor, &stages[j].velocity});
-        rate_sums[2].push_back({factor, &accelerations[j]});
+        sum.clear();
+        for (unsigned int j = 0; j < i; ++j)
+          sum.push_back({step_size * tableau->a[i][j], stages[j].vectors()[k]});
+        set_sum(*known.vectors()[k], *state.vectors()[k], sum.data(), i);
       }
-    set_sum(known.temperature, state.temperature, rate_sums[0].data(), i);
-    set_sum(known.displacement, state.displacement, rate_sums[1].data(), i);
-    set_sum(known.velocity, state.velocity, rate_sums[2].data(), i);
     const StageRates *const last = i > 0 ? &stages[i - 1] : nullptr;
     known.contact                = last ? last->contact : state.contact;
   }
@@ -122,7 +116,7 @@ namespace ThermoContact
     if (stage.failure.empty() &&
         (i + 1 < tableau->n_stages() || tableau->has_error_estimate() ||
          driven.is_active() || body.boundary_flows.is_active()))
-      set_difference(accelerations[i],
+      set_difference(stage.acceleration,
                      1. / tau,
                      stage.velocity,
                      known.velocity);
@@ -138,7 +132,7 @@ namespace ThermoContact
     set_sum(known.temperature, known.temperature, tau, stage.temperature_rate);
     set_sum(known.displacement, known.displacement, tau, stage.velocity);
     // the known values of a driven end are those of its stage already
-    driven.complete(i, stage, accelerations[i]);
+    driven.complete(i, stage);
     set_equal(known.velocity, stage.velocity);
     known.contact = stage.contact;
   }
@@ -238,7 +232,7 @@ namespace ThermoContact
         result.add_stage(weight,
                          {known,
                           stage.temperature_rate,
-                          accelerations[i],
+                          stage.acceleration,
                           heat_load,
                           momentum_load},
                          body);
@@ -285,34 +279,22 @@ namespace ThermoContact
                                       const ContactMode mode,
                                       StepResult       &result)
   {
-    set_zero(difference.temperature);
-    set_zero(difference.displacement);
-    set_zero(difference.velocity);
     const bool is_static =
       body.scene.fields.has_displacement && body.scene.material.is_static();
     const auto &of_motion = is_static ? tableau->static_b : tableau->embedded_b;
     const auto &of_heat =
       body.equations.is_coupled() ? of_motion : tableau->embedded_b;
-    for (std::vector<Multiple> &sum : rate_sums)
-      sum.clear();
-    const auto add =
-      [&](const unsigned int sum, const double difference, const Vector &rate) {
-        if (difference != 0.)
-          rate_sums[sum].push_back({step_size * difference, &rate});
-      };
-    for (unsigned int i = 0; i < tableau->n_stages(); ++i)
+    for (unsigned int k = 0; k < difference.vectors().size(); ++k)
       {
-        const double b = tableau->b()[i];
-        add(0, b - of_heat[i], stages[i].temperature_rate);
-        add(1, b - of_motion[i], stages[i].velocity);
-        add(2, b - of_motion[i], accelerations[i]);
+        const auto &embedded = k == 0 ? of_heat : of_motion;
+        sum.clear();
+        for (unsigned int i = 0; i < tableau->n_stages(); ++i)
+          if (const double weight = tableau->b()[i] - embedded[i]; weight != 0.)
+            sum.push_back({step_size * weight, stages[i].vectors()[k]});
+        Vector &vector = *difference.vectors()[k];
+        set_zero(vector);
+        set_sum(vector, vector, sum.data(), sum.size());
       }
-    const auto add_sum = [](Vector &vector, const std::vector<Multiple> &sum) {
-      set_sum(vector, vector, sum.data(), sum.size());
-    };
-    add_sum(difference.temperature, rate_sums[0]);
-    add_sum(difference.displacement, rate_sums[1]);
-    add_sum(difference.velocity, rate_sums[2]);
     const std::vector<double> &pressure = result.state.contact.pressure;
     if (can_change_at_once(mode))
       keep_contact(mode, pressure);
@@ -338,7 +320,7 @@ namespace ThermoContact
     body.equations.add_heating(state.velocity, -1., heat_rhs);
     heat_system.solve(rate, heat_rhs);
     ++counters_.solves;
-    driven.complete(0, stages[0], accelerations[0]);
+    driven.complete(0, stages[0]);
   }
 
 
@@ -371,11 +353,11 @@ namespace ThermoContact
 
     result.start_sums();
     if (!driven.is_active())
-      set_zero(accelerations[0]); // the velocity stays
+      set_zero(stage.acceleration); // the velocity stays
     result.add_stage(tau,
                      {result.state,
                       stage.temperature_rate,
-                      accelerations[0],
+                      stage.acceleration,
                       heat_load,
                       momentum_load},
                      body);

@@ -100,9 +100,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  DrivenStep<dim>::complete(const unsigned int stage,
-                            StageRates        &rates,
-                            Vector            &acceleration) const
+  DrivenStep<dim>::complete(const unsigned int stage, StageRates &rates) const
   {
     if (!is_active())
       return;
@@ -112,7 +110,7 @@ namespace ThermoContact
             temperature.stages()[stage].rates,
             rates.temperature_rate);
     end.set(Field::displacement, motion.rates, rates.velocity);
-    end.set(Field::displacement, motion.accelerations, acceleration);
+    end.set(Field::displacement, motion.accelerations, rates.acceleration);
   }
 
 

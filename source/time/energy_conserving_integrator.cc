@@ -24,7 +24,7 @@ namespace ThermoContact
   {
     rates.temperature_rate = heat_load;
     rates.velocity         = momentum_load;
-    acceleration           = momentum_load;
+    rates.acceleration     = momentum_load;
     if (body.law().is_active())
       set_up_contact();
   }
@@ -92,7 +92,7 @@ namespace ThermoContact
     if (contact)
       apply_contact(state, time_step);
 
-    driven.complete(0, rates, acceleration);
+    driven.complete(0, rates);
     set_equal(midpoint.velocity, rates.velocity);
     set_sum(midpoint.temperature,
             state.temperature,
@@ -126,15 +126,15 @@ namespace ThermoContact
                 state.displacement,
                 0.5 * size,
                 rates.velocity);
-        set_sum(acceleration, result.state.velocity, -1., state.velocity);
-        acceleration *= 1. / size;
+        set_sum(rates.acceleration, result.state.velocity, -1., state.velocity);
+        rates.acceleration *= 1. / size;
         midpoint.load_time =
           0.5 * (time_step.first_loads + time_step.last_loads);
       }
     result.add_work(size,
                     {midpoint,
                      rates.temperature_rate,
-                     acceleration,
+                     rates.acceleration,
                      heat_load,
                      momentum_load},
                     body);

@@ -21,9 +21,8 @@ namespace ThermoContact
     : body(body)
     , linear(body)
     , end(body.make_state())
-    , acceleration(body.discretization.make_vector(Field::displacement))
     , heat(body.discretization.make_vector(Field::temperature))
-    , momentum(acceleration)
+    , momentum(body.discretization.make_vector(Field::displacement))
     , heat_product(heat)
     , momentum_product(momentum)
     , last_rate(heat)
@@ -44,7 +43,7 @@ namespace ThermoContact
     set_sum(end.displacement, known.displacement, tau, stage.velocity);
     // the known values of a driven end are those at the end of the stage
     full = stage;
-    driven.complete(i, full, acceleration);
+    driven.complete(i, full);
   }
 
 

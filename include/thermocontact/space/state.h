@@ -7,6 +7,7 @@
 #include <thermocontact/base/types.h>
 #include <thermocontact/contact/obstacle_action.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,19 @@ namespace ThermoContact
       return time == 0. || time == jump_time;
     }
 
+    /** What changes with rates. */
+    std::array<Vector *, 3>
+    vectors()
+    {
+      return {{&temperature, &displacement, &velocity}};
+    }
+
+    std::array<const Vector *, 3>
+    vectors() const
+    {
+      return {{&temperature, &displacement, &velocity}};
+    }
+
     /** Becomes the body of another state; allocates nothing for one layout. */
     void
     copy_values(const State &from)
@@ -71,9 +85,8 @@ namespace ThermoContact
           *this = from; // the first one: gets its layout
           return;
         }
-      set_equal(temperature, from.temperature);
-      set_equal(displacement, from.displacement);
-      set_equal(velocity, from.velocity);
+      for (unsigned int k = 0; k < vectors().size(); ++k)
+        set_equal(*vectors()[k], *from.vectors()[k]);
       contact          = from.contact;
       contact_velocity = from.contact_velocity;
     }
@@ -85,9 +98,8 @@ namespace ThermoContact
       std::swap(time, other.time);
       std::swap(load_time, other.load_time);
       std::swap(jump_time, other.jump_time);
-      temperature.swap(other.temperature);
-      displacement.swap(other.displacement);
-      velocity.swap(other.velocity);
+      for (unsigned int k = 0; k < vectors().size(); ++k)
+        vectors()[k]->swap(*other.vectors()[k]);
       contact.swap(other.contact);
       gap.swap(other.gap);
       gap_rate.swap(other.gap_rate);

@@ -9,7 +9,6 @@
 #include <thermocontact/time/newton_stage.h>
 #include <thermocontact/time/time_integrator.h>
 
-#include <array>
 #include <vector>
 
 namespace ThermoContact
@@ -70,14 +69,12 @@ namespace ThermoContact
     PrescribedMotion gaps;   ///< of an obstacle that moves
 
     std::vector<StageRates> stages;
-    std::vector<Vector>     accelerations; ///< $v'$ of a stage
     State                   known;
     State                   difference;
     Vector                  heat_load;
     Vector                  momentum_load;
 
-    /** Of the rates of temperature, displacement and velocity. */
-    std::array<std::vector<Multiple>, 3> rate_sums;
+    std::vector<Multiple> sum; ///< of rates
 
     /** Starts the motions of the ends of the body in a step from @p state. */
     void

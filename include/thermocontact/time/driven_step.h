@@ -47,11 +47,10 @@ namespace ThermoContact
     StageLoads
     constrain(const unsigned int stage, const StageLoads &loads, State &known);
 
-    /** Gives a stage that has been solved the rates of its end. */
+    /** Gives a stage that has been solved the rates of its end, with the
+     * acceleration. */
     void
-    complete(const unsigned int stage,
-             StageRates        &rates,
-             Vector            &acceleration) const;
+    complete(const unsigned int stage, StageRates &rates) const;
 
   private:
     const Body<dim> &body;

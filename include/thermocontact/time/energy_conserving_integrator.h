@@ -56,7 +56,6 @@ namespace ThermoContact
     State              obstacle; ///< gaps alone, at the end of the step
     Vector             heat_load;
     Vector             momentum_load;
-    Vector             acceleration;   ///< of an end that rests
     FullMatrix<double> all_receptance; ///< $X$ of (C6.3)
     FullMatrix<double> receptance;     ///< its square part
 

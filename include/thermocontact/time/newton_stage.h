@@ -51,10 +51,9 @@ namespace ThermoContact
     const Body<dim>      &body;
     MonolithicSolver<dim> linear;
 
-    State      end;  ///< of the stage, in the last iteration
-    StageRates full; ///< its rates with those of the ends of the body
-    Vector     acceleration;
-    Vector     heat, momentum;                 ///< loads of an iteration
+    State      end;            ///< of the stage, in the last iteration
+    StageRates full;           ///< its rates with those of the ends of the body
+    Vector     heat, momentum; ///< loads of an iteration
     Vector     heat_product, momentum_product; ///< of rates
     Vector     last_rate, last_velocity;
 

@@ -11,6 +11,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@ namespace ThermoContact
   {
     Vector         temperature_rate; ///< $\theta'$
     Vector         velocity;         ///< $v=u'$
+    Vector         acceleration;     ///< $v'$; integrators set it
     ObstacleAction contact;
 
     /**
@@ -37,6 +39,13 @@ namespace ThermoContact
     double algebraic_power = 0.;
 
     std::string failure; ///< empty: solved
+
+    /** In the order of State::vectors(), whose rates they are. */
+    std::array<const Vector *, 3>
+    vectors() const
+    {
+      return {{&temperature_rate, &velocity, &acceleration}};
+    }
 
     /** The start of a solver: no pressures, nothing of the last stage. */
     void
