@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/cell_products.h>
+#include <thermocontact/space/cell_shape.h>
 #include <thermocontact/space/massless_contact.h>
 
 #include <deal.II/base/mpi.h>
@@ -561,17 +562,6 @@ namespace ThermoContact
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
         numbers.push_back(value);
     }
-
-
-
-    /** Sides of a cell that is a box. */
-    template <int dim>
-    Tensor<1, dim>
-    size_of(const typename DoFHandler<dim>::active_cell_iterator &cell)
-    {
-      return cell->vertex(GeometryInfo<dim>::vertices_per_cell - 1) -
-             cell->vertex(0);
-    }
   } // namespace
 
 
@@ -683,7 +673,8 @@ namespace ThermoContact
             for (unsigned int lane = 0; lane < n_lanes; ++lane)
               {
                 const Tensor<1, dim> size =
-                  size_of<dim>(cells[b][lane < batch.n_cells ? lane : 0]);
+                  CellShape<dim>(cells[b][lane < batch.n_cells ? lane : 0])
+                    .sides();
                 batch.volume[lane] = 1.;
                 for (unsigned int d = 0; d < dim; ++d)
                   {
@@ -712,7 +703,7 @@ namespace ThermoContact
             {
               const Cell &cell  = batch[lane < batch.size() ? lane : 0];
               Point<dim>  point = cell->vertex(0);
-              point[1] += rule.point(q)[0] * size_of<dim>(cell)[1];
+              point[1] += rule.point(q)[0] * CellShape<dim>(cell).sides()[1];
               radial.push_back(is_strain ?
                                  geometry.strain_per_displacement(point) :
                                  geometry.weight_at(point));
@@ -805,23 +796,19 @@ namespace ThermoContact
         {
           const std::vector<unsigned int> positions =
             local_positions(field, cell);
-          const Tensor<1, dim> size   = size_of<dim>(cell);
+          const CellShape<dim> shape(cell);
           double               volume = 1.;
           for (unsigned int d = 0; d < dim; ++d)
-            volume *= size[d];
+            volume *= shape.sides()[d];
           const bool has_first =
             field == Field::temperature || batches[b].has_axial_mass;
           for (unsigned int i = 0; i < n_nodes; ++i)
-            {
-              Point<dim> node = cell->vertex(0);
-              for (unsigned int d = 0; d < dim; ++d)
-                node[d] += nodes.point(i)[d] * size[d];
-              for (unsigned int c = has_first ? 0 : 1;
-                   c < n_components<dim>(field);
-                   ++c)
-                mass.begin()[positions[i] + c * strides[i]] +=
-                  nodes.weight(i) * volume * geometry.weight_at(node);
-            }
+            for (unsigned int c = has_first ? 0 : 1;
+                 c < n_components<dim>(field);
+                 ++c)
+              mass.begin()[positions[i] + c * strides[i]] +=
+                nodes.weight(i) * volume *
+                geometry.weight_at(shape.point(nodes.point(i)));
         }
     mass.compress(VectorOperation::add);
   }

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/dealii_versions.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/cell_shape.h>
 #include <thermocontact/space/discretization.h>
 
 #include <deal.II/base/mpi.h>
@@ -376,9 +377,7 @@ namespace ThermoContact
     for (const auto &cell : dof_handler_.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const Point<dim> &lower = cell->vertex(0);
-          const Point<dim> &upper =
-            cell->vertex(GeometryInfo<dim>::vertices_per_cell - 1);
+          const CellShape<dim> shape(cell);
           cell->get_dof_indices(dofs);
           for (unsigned int i = 0; i < dofs.size(); ++i)
             if (owned_.is_element(dofs[i]))
@@ -391,9 +390,7 @@ namespace ThermoContact
                 value.component =
                   finite_element_.system_to_component_index(i).first -
                   first_component(field);
-                for (unsigned int d = 0; d < dim; ++d)
-                  value.node[d] =
-                    (1. - points[i][d]) * lower[d] + points[i][d] * upper[d];
+                value.node = shape.point(points[i]);
               }
         }
   }

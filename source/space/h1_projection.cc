@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/cell_products.h>
+#include <thermocontact/space/cell_shape.h>
 #include <thermocontact/space/conjugate_gradients.h>
 #include <thermocontact/space/expression_function.h>
 #include <thermocontact/space/h1_projection.h>
@@ -110,8 +111,7 @@ namespace ThermoContact
     void
     evaluate(const Function<dim>  &function,
              const unsigned int    component,
-             const Point<dim>     &lower,
-             const Point<dim>     &upper,
+             const CellShape<dim> &shape,
              const CellLines<dim> &lines,
              std::vector<Point<1>> CellLine::*const points,
              std::vector<double>                   &values)
@@ -122,15 +122,14 @@ namespace ThermoContact
       values.resize(n_values);
       for (unsigned int q = 0; q < n_values; ++q)
         {
-          Point<dim> place;
+          Point<dim> unit_point;
           for (unsigned int d = 0, rest = q; d < dim; ++d)
             {
               const std::vector<Point<1>> &along = lines[d]->*points;
-              const double                 part = along[rest % along.size()][0];
-              place[d] = (1. - part) * lower[d] + part * upper[d];
+              unit_point[d] = along[rest % along.size()][0];
               rest /= along.size();
             }
-          values[q] = function.value(place, component);
+          values[q] = function.value(shape.point(unit_point), component);
         }
     }
 
@@ -243,18 +242,11 @@ namespace ThermoContact
           if (cell->is_locally_owned() &&
               !(dim > 1 && discretization.is_gap(cell)))
             {
-              const Point<dim> &lower = cell->vertex(0);
-              const Point<dim> &upper =
-                cell->vertex(GeometryInfo<dim>::vertices_per_cell - 1);
+              const CellShape<dim> shape(cell);
+              const Tensor<1, dim> sides = shape.sides();
+              evaluate<dim>(function, c, shape, lines, &CellLine::nodes, nodal);
               evaluate<dim>(
-                function, c, lower, upper, lines, &CellLine::nodes, nodal);
-              evaluate<dim>(function,
-                            c,
-                            lower,
-                            upper,
-                            lines,
-                            &CellLine::points,
-                            differences);
+                function, c, shape, lines, &CellLine::points, differences);
               std::array<const FullMatrix<double> *, dim> along;
               for (unsigned int d = 0; d < dim; ++d)
                 along[d] = &lines[d]->values;
@@ -269,10 +261,9 @@ namespace ThermoContact
                     double factor = 1.;
                     for (unsigned int d = 0; d < dim; ++d)
                       {
-                        const double size = upper[d] - lower[d];
                         along[d] =
                           d == e ? &varying.stiffness : &lines[d]->mass;
-                        factor *= d == e ? 1. / size : size;
+                        factor *= d == e ? 1. / sides[d] : sides[d];
                       }
                     multiply_lines<dim>(along, part, scratch);
                     for (unsigned int i = 0; i < part.size(); ++i)

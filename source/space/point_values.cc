@@ -3,16 +3,13 @@
 #include <thermocontact/base/collective.h>
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/space/cell_shape.h>
 #include <thermocontact/space/nonlinear_terms.h>
 #include <thermocontact/space/point_values.h>
 #include <thermocontact/space/shown_velocity.h>
 
-#include <deal.II/base/bounding_box.h>
-#include <deal.II/base/geometry_info.h>
-
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace ThermoContact
@@ -28,9 +25,8 @@ namespace ThermoContact
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && !discretization.is_gap(cell))
-        if (const auto box = cell->bounding_box();
-            box.point_inside(on_axis(box.center()[0]), Tolerances::in_cell))
-          intervals.emplace_back(box.lower_bound(0), box.upper_bound(0));
+        if (const auto interval = CellShape<dim>(cell).interval(on_axis(0.)))
+          intervals.push_back(*interval);
     std::vector<std::pair<double, double>> all;
     for (const auto &of_rank :
          all_gather(discretization.communicator(), intervals))
@@ -71,8 +67,11 @@ namespace ThermoContact
     , values(n_quantities * places.size())
     , axial_values(places.size())
   {
-    const auto all_shares =
-      all_gather(discretization.communicator(), local_shares(places));
+    std::vector<Share> shares;
+    visit_cells(places, [&](const Cell &cell, const unsigned int place) {
+      add_shares(cell, places[place].position, place, shares);
+    });
+    const auto all_shares = all_gather(discretization.communicator(), shares);
 
     // a share of form n_forms counts the cells of a place
     std::vector<double> n_cells(n_places, 0.);
@@ -113,30 +112,22 @@ namespace ThermoContact
   PointValues<dim>::find_law_places(const std::vector<Place<dim>> &places,
                                     const std::vector<double>     &n_cells)
   {
-    for (const auto &cell :
-         discretization.dof_handler().active_cell_iterators())
-      for (unsigned int place = 0; place < n_places; ++place)
+    visit_cells(places, [&](const Cell &cell, const unsigned int place) {
+      const Point<dim> &position = places[place].position;
+      LawPlace          one{place,
+                   cell,
+                   position,
+                   1. / (n_cells[place] *
+                         discretization.of_material(cell, position).section),
+                   {},
+                   {}};
+      for (const BasisAt &f : basis_at(cell, position))
         {
-          if (!cell->is_locally_owned() || discretization.is_gap(cell) ||
-              !cell->bounding_box().point_inside(places[place].cell_point,
-                                                 Tolerances::in_cell))
-            continue;
-          const Point<dim> &position = places[place].position;
-          LawPlace          one{place,
-                       cell,
-                       position,
-                       1. /
-                         (n_cells[place] *
-                          discretization.of_material(cell, position).section),
-                       {},
-                       {}};
-          for (const BasisAt &f : basis_at(cell, position))
-            {
-              one.value.push_back(f.theta);
-              one.stress.push_back(f.stress);
-            }
-          law_places.push_back(one);
+          one.value.push_back(f.theta);
+          one.stress.push_back(f.stress);
         }
+      law_places.push_back(one);
+    });
   }
 
 
@@ -177,40 +168,27 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::vector<typename PointValues<dim>::Share>
-  PointValues<dim>::local_shares(const std::vector<Place<dim>> &places) const
+  template <typename Visit>
+  void
+  PointValues<dim>::visit_cells(const std::vector<Place<dim>> &places,
+                                const Visit                   &visit) const
   {
     // by x, so that the places of a cell are found among many
-    std::vector<unsigned int> order(places.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto x_of = [&places](const unsigned int place) {
-      return places[place].cell_point[0];
-    };
-    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-      return x_of(a) < x_of(b);
-    });
-
-    std::vector<Share> shares;
+    std::multimap<double, unsigned int> by_x;
+    for (unsigned int place = 0; place < n_places; ++place)
+      by_x.emplace(places[place].cell_point[0], place);
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && !discretization.is_gap(cell))
         {
-          const auto   box   = cell->bounding_box();
-          const double slack = 2. * Tolerances::in_cell * box.side_length(0);
-          for (auto place = std::lower_bound(order.begin(),
-                                             order.end(),
-                                             box.lower_bound(0) - slack,
-                                             [&](const auto a, const double x) {
-                                               return x_of(a) < x;
-                                             });
-               place != order.end() &&
-               x_of(*place) <= box.upper_bound(0) + slack;
+          const CellShape<dim> shape(cell);
+          const auto [left, right] = shape.range();
+          for (auto place = by_x.lower_bound(left);
+               place != by_x.end() && place->first <= right;
                ++place)
-            if (box.point_inside(places[*place].cell_point,
-                                 Tolerances::in_cell))
-              add_shares(cell, places[*place].position, *place, shares);
+            if (shape.contains(places[place->second].cell_point))
+              visit(cell, place->second);
         }
-    return shares;
   }
 
 
@@ -219,12 +197,10 @@ namespace ThermoContact
   std::vector<typename PointValues<dim>::BasisAt>
   PointValues<dim>::basis_at(const Cell &cell, const Point<dim> &position) const
   {
-    // the cells of the body are boxes along the axes
-    const auto       box = cell->bounding_box();
-    const Point<dim> unit_point =
-      GeometryInfo<dim>::project_to_unit_cell(box.real_to_unit(position));
-    const FiniteElement<dim> &fe   = discretization.finite_element();
-    const FiniteElement<dim> &base = fe.base_element(0);
+    const CellShape<dim>      shape(cell);
+    const Point<dim>          unit_point = shape.unit_point(position);
+    const FiniteElement<dim> &fe         = discretization.finite_element();
+    const FiniteElement<dim> &base       = fe.base_element(0);
     const unsigned int        first =
       discretization.first_component(Field::displacement);
     const auto rounded = [](const double value) {
@@ -237,8 +213,8 @@ namespace ThermoContact
     std::vector<BasisAt> all(fe.dofs_per_cell);
     for (unsigned int i = 0; i < all.size(); ++i)
       {
-        const auto [component, shape] = fe.system_to_component_index(i);
-        const double value            = base.shape_value(shape, unit_point);
+        const auto [component, node] = fe.system_to_component_index(i);
+        const double value           = base.shape_value(node, unit_point);
         if (discretization.has_field(Field::temperature) && component == 0)
           {
             all[i].theta = rounded(value);
@@ -247,13 +223,14 @@ namespace ThermoContact
         const unsigned int d = component - first;
         if (d == 0)
           all[i].displacement = rounded(value);
+        Tensor<1, dim> unit_gradient = base.shape_grad(node, unit_point);
+        for (unsigned int e = 0; e < dim; ++e)
+          if (std::abs(unit_gradient[e]) <= Tolerances::rounding_of_solution)
+            unit_gradient[e] = 0.;
         Tensor<1, dim> values;
         Tensor<2, dim> gradient;
-        values[d] = value;
-        for (unsigned int e = 0; e < dim; ++e)
-          if (const double derivative = base.shape_grad(shape, unit_point)[e];
-              std::abs(derivative) > Tolerances::rounding_of_solution)
-            gradient[d][e] = derivative / box.side_length(e);
+        values[d]     = value;
+        gradient[d]   = shape.gradient(unit_gradient);
         all[i].stress = elastic_stress(
           elasticity,
           discretization.geometry().strain(gradient, values, position),

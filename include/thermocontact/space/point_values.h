@@ -174,9 +174,12 @@ namespace ThermoContact
                const unsigned int  place,
                std::vector<Share> &shares) const;
 
-    /** The shares of the cells that this rank owns. */
-    std::vector<Share>
-    local_shares(const std::vector<Place<dim>> &places) const;
+    /** Calls @p visit(cell, place) for the cells of places that this rank
+     * owns. */
+    template <typename Visit>
+    void
+    visit_cells(const std::vector<Place<dim>> &places,
+                const Visit                   &visit) const;
 
     void
     add_values(const Form     form,
