@@ -7,7 +7,6 @@
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
-#include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/node_laws.h>
 
@@ -363,16 +362,9 @@ namespace ThermoContact
     State                      state          = body.make_state();
     body.obstacle.place(0., 0., state);
     {
-      std::unique_ptr<const CellProducts<dim, double>> own_products;
-      if constexpr (dim > 1)
-        if (body.equations.cell_products() == nullptr)
-          own_products =
-            std::make_unique<const CellProducts<dim, double>>(body.scene,
-                                                              discretization);
-      const H1Projection<dim> projection(discretization,
-                                         own_products ?
-                                           own_products.get() :
-                                           body.equations.cell_products());
+      const H1Projection<dim> projection(body.scene,
+                                         discretization,
+                                         body.equations.cell_products());
       projection.project(*body.data.initial_fields,
                          state.temperature,
                          state.displacement);

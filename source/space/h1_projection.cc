@@ -188,11 +188,14 @@ namespace ThermoContact
 
 
   template <int dim>
-  H1Projection<dim>::H1Projection(const Discretization<dim> &discretization,
-                                  const CellProducts<dim, double> *products)
+  H1Projection<dim>::H1Projection(const Scene               &scene,
+                                  const Discretization<dim> &discretization,
+                                  const CellProducts<dim, double> *known)
     : discretization(discretization)
     , constraints(discretization.clamped_constraints())
-    , products(products)
+    , own_products(
+        known == nullptr ? make_cell_products(scene, discretization) : nullptr)
+    , products(known == nullptr ? own_products.get() : known)
   {
     for (const Field::Block field : all_fields)
       {
@@ -202,6 +205,11 @@ namespace ThermoContact
             kept_entries[field].push_back(owned.index_within_set(dof));
       }
   }
+
+
+
+  template <int dim>
+  H1Projection<dim>::~H1Projection() = default;
 
 
 

@@ -8,22 +8,6 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    template <int dim>
-    std::unique_ptr<const CellProducts<dim, double>>
-    make_cell_products(const Scene               &scene,
-                       const Discretization<dim> &discretization)
-    {
-      if constexpr (dim > 1)
-        return std::make_unique<const CellProducts<dim, double>>(
-          scene, discretization);
-      return nullptr;
-    }
-  } // namespace
-
-
-
   template <int dim>
   ThermoviscoelasticOperator<dim>::ThermoviscoelasticOperator(
     const Scene               &scene,

@@ -55,7 +55,7 @@ namespace
     parameters.mesh.grading = grading;
     const Scene             scene(parameters);
     const Discretization<1> space(scene, MPI_COMM_SELF);
-    H1Projection<1>         projection(space);
+    H1Projection<1>         projection(scene, space);
     const auto              w = [](const Point<1> &x) {
       return std::exp(x[0]) * std::sin(3. * x[0]);
     };

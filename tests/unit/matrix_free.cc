@@ -214,7 +214,7 @@ namespace
       const ProblemData<dim> data(scene);
       const Function<dim>   &initial = *data.initial_fields;
       State                  state   = free_space.make_state();
-      H1Projection<dim>(free_space, free_equations.cell_products())
+      H1Projection<dim>(free_scene, free_space, free_equations.cell_products())
         .project(initial, state.temperature, state.displacement);
       double at_vertices = 0.;
       for (const auto &cell : free_space.dof_handler().active_cell_iterators())

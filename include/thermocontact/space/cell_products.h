@@ -289,6 +289,20 @@ namespace ThermoContact
                  const Field::Block   field,
                  LevelVector<Number> &y) const;
   };
+
+
+
+  /** Of a body; null for a rod. Both references are borrowed. */
+  template <int dim>
+  std::unique_ptr<const CellProducts<dim, double>>
+  make_cell_products(const Scene               &scene,
+                     const Discretization<dim> &discretization)
+  {
+    if constexpr (dim > 1)
+      return std::make_unique<const CellProducts<dim, double>>(scene,
+                                                               discretization);
+    return nullptr;
+  }
 } // namespace ThermoContact
 
 #endif

@@ -3,11 +3,13 @@
 #ifndef thermocontact_space_h1_projection_h
 #define thermocontact_space_h1_projection_h
 
+#include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
 
 #include <deal.II/base/function.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace ThermoContact
@@ -32,11 +34,15 @@ namespace ThermoContact
   {
   public:
     /**
-     * @param products of a body, with which conjugate gradients compute the
-     *   correction; of a rod, whose cells have theirs alone, null; borrowed
+     * @param scene,discretization borrowed
+     * @param known products for the conjugate gradients of a body, borrowed;
+     *   null: it makes its own
      */
-    explicit H1Projection(const Discretization<dim>       &discretization,
-                          const CellProducts<dim, double> *products = nullptr);
+    H1Projection(const Scene                     &scene,
+                 const Discretization<dim>       &discretization,
+                 const CellProducts<dim, double> *known = nullptr);
+
+    ~H1Projection(); // compiled once
 
     /**
      * Projects @p function, with the components of the FESystem.
@@ -49,9 +55,11 @@ namespace ThermoContact
             Vector              &displacement) const;
 
   private:
-    const Discretization<dim>             &discretization;
-    const AffineConstraints<double>        constraints;
-    const CellProducts<dim, double> *const products;
+    const Discretization<dim>      &discretization;
+    const AffineConstraints<double> constraints;
+
+    const std::unique_ptr<const CellProducts<dim, double>> own_products;
+    const CellProducts<dim, double> *const products; ///< null of a rod
 
     /** Positions of the values of the fields that are kept, in local parts. */
     std::array<std::vector<unsigned int>, 2> kept_entries;
