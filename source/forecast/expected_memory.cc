@@ -38,12 +38,10 @@ namespace ThermoContact
       const double          tables =
         n_faces * std::pow(degree + 1., dim) *
         (std::pow(degree + 3., dim - 1.) + std::pow(degree + 1., dim - 1.));
-      const double n_entries =
-        scene.contact.has_massless_nodes ?
-          std::pow(std::ldexp(mesh.n_cells_across(), mesh.refinements),
-                   dim - 1.) *
-            degree * std::pow(degree + 1., 2. * (dim - 1.)) :
-          0.;
+      const double n_entries = scene.contact.has_massless_nodes ?
+                                 mesh.n_contact_cells(dim) * degree *
+                                   std::pow(degree + 1., 2. * (dim - 1.)) :
+                                 0.;
       return n_ranks * sizeof(double) * tables + bytes_of_entry * n_entries;
     }
 
@@ -121,7 +119,7 @@ namespace ThermoContact
         const double softness =
           std::min(std::pow(std::max(1., 0.57 / scene.material.two_mu), 0.35),
                    parameters.mesh.degree > 1 &&
-                       parameters.mesh.geometry != "axisymmetric" ?
+                       scene.geometry->has_uniform_weight() ?
                      1.6 :
                      infinity);
         return seconds_of_process +

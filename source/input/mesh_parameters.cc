@@ -128,15 +128,6 @@ namespace ThermoContact
 
 
   double
-  MeshParameters::n_cells(const unsigned int dim) const
-  {
-    return std::ldexp(cells * std::pow(n_cells_across(), dim - 1.),
-                      static_cast<int>(dim * refinements));
-  }
-
-
-
-  double
   MeshParameters::cell_aspect() const
   {
     std::vector<double>       sizes  = cell_sizes();
@@ -163,8 +154,7 @@ namespace ThermoContact
   double
   MeshParameters::n_nodes(const unsigned int dim) const
   {
-    return (degree * std::ldexp(cells, refinements) + 1.) *
-           n_contact_nodes(dim);
+    return (degree * n_cells_along() + 1.) * n_contact_nodes(dim);
   }
 
 
@@ -174,6 +164,16 @@ namespace ThermoContact
   {
     return std::pow(degree * std::ldexp(n_cells_across(), refinements) + 1.,
                     dim - 1.);
+  }
+
+
+
+  double
+  MeshParameters::spacing() const
+  {
+    const double n_nodes = (degree > 0 ? degree : degree_by_default) *
+                           (cells > 0 ? cells : cells_by_default);
+    return 1. / std::ldexp(n_nodes, refinements);
   }
 
 
@@ -191,5 +191,38 @@ namespace ThermoContact
   MeshParameters::contact_node_length() const
   {
     return contact_spacing() / (degree + 1.);
+  }
+
+
+
+  bool
+  MeshParameters::halve(const unsigned int dim)
+  {
+    if (refinements > 0)
+      {
+        --refinements;
+        return true;
+      }
+    const auto half = [this](const unsigned int n, const unsigned int d) {
+      return std::max<unsigned int>((n + 1) / 2, planes[d].size() + 1);
+    };
+    const unsigned int along = cells, across = n_cells_across();
+    cells = half(along, 0);
+    if (dim > 1)
+      cells_across = half(across, 1);
+    return cells < along || (dim > 1 && cells_across < across);
+  }
+
+
+
+  std::string
+  MeshParameters::limits_of_places(const unsigned int dim) const
+  {
+    std::string limits = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
+    limits += " with 0 <= x <= 1";
+    if (dim > 1)
+      limits += (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") +
+                text(width, " (Mesh/Width)");
+    return limits;
   }
 } // namespace ThermoContact

@@ -31,14 +31,9 @@ namespace ThermoContact
                     const std::string &fault)
     {
       const unsigned int dim = parameters.dimension;
-      std::string limits     = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
-      limits += " with 0 <= x <= 1";
-      if (dim > 1)
-        limits += (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") +
-                  text(parameters.mesh.width, " (Mesh/Width)");
       throw InputError(
         "Output/Probes = " + parameters.output.probes + ": '" + position +
-        "' " + fault + "\n  allowed: " + limits +
+        "' " + fault + "\n  allowed: " + parameters.mesh.limits_of_places(dim) +
         "; ';' between positions\n  remedy:  e.g. Output/Probes = " +
         (dim == 1 ? "0.5; 1" : (dim == 2 ? "0.5, 0" : "0.5, 0, 0")));
     }
@@ -69,12 +64,12 @@ namespace ThermoContact
             const auto x = parse_number(coordinates[d]);
             if (!x)
               refuse_position(*this, part, "is no position");
-            // the rods of a row are looked at where their places are known
-            const double length = has_row() ? infinity : 1.;
-            if (!(*x >= 0. && *x <= (d == 0 ? length : mesh.width)))
-              refuse_position(*this, part, "is not in the body");
             positions.back()[d] = *x;
           }
+        // the rods of a row are looked at where their places are known
+        if (has_row() ? !(positions.back()[0] >= 0.) :
+                        !mesh.contains(positions.back()))
+          refuse_position(*this, part, "is not in the body");
       }
     return positions;
   }

@@ -97,26 +97,7 @@ namespace ThermoContact
         return halve_cells_of_row(parameters);
       MeshParameters &mesh    = parameters.mesh;
       const double    spacing = mesh.contact_spacing();
-      bool            changes = false;
-      if (mesh.refinements > 0)
-        {
-          --mesh.refinements;
-          changes = true;
-        }
-      else
-        {
-          changes = mesh.cells > mesh.planes[0].size() + 1;
-          if (parameters.dimension > 1)
-            {
-              changes =
-                changes || mesh.n_cells_across() > mesh.planes[1].size() + 1;
-              mesh.cells_across =
-                std::max<unsigned int>((mesh.n_cells_across() + 1) / 2,
-                                       mesh.planes[1].size() + 1);
-            }
-          mesh.cells = std::max<unsigned int>((mesh.cells + 1) / 2,
-                                              mesh.planes[0].size() + 1);
-        }
+      const bool      changes = mesh.halve(parameters.dimension);
       if (changes && has_joined_steps_and_cells(parameters) &&
           parameters.time.step_size)
         *parameters.time.step_size *= mesh.contact_spacing() / spacing;

@@ -49,30 +49,6 @@ namespace ThermoContact
      */
     constexpr double nodes_of_compliance = 16.;
 
-    /** Distance of the nodes of a mesh whose cells and degree are automatic. */
-    constexpr double spacing_by_default =
-      1. /
-      (MeshParameters::cells_by_default * MeshParameters::degree_by_default);
-
-
-
-    /**
-     * Distance of the nodes of a mesh, cells and degree of which may be
-     * automatic.
-     */
-    double
-    spacing(const MeshParameters &mesh)
-    {
-      const double cells =
-        mesh.cells > 0 ? mesh.cells : MeshParameters::cells_by_default;
-      const double degree =
-        mesh.degree > 0 ? mesh.degree : MeshParameters::degree_by_default;
-      return std::ldexp(1. / (cells * degree),
-                        -static_cast<int>(mesh.refinements));
-    }
-
-
-
     /**
      * Length over which viscosity spreads a front while it passes the body, by
      * diffusion with the coefficient $\zeta/b$ in the time $\sqrt b$.
@@ -368,7 +344,7 @@ namespace ThermoContact
       mesh.cells  = MeshParameters::cells_by_default;
       mesh.degree = MeshParameters::degree_by_default;
       return length_of_diffusion(parameters.model) >=
-               Tolerances::nodes_of_front * spacing(mesh) &&
+               Tolerances::nodes_of_front * mesh.spacing() &&
              nodes_of_layer * mesh.contact_node_length() >
                length_of_layer(parameters);
     }
@@ -461,9 +437,8 @@ namespace ThermoContact
       if (!(model.inertia > 0.))
         return "without inertia there are no waves";
       const MeshParameters &mesh = parameters.mesh;
-      if (!has_sharp_fronts(parameters,
-                            mesh.degree > 1 ? spacing(mesh) :
-                                              spacing_by_default))
+      if (!has_sharp_fronts(
+            parameters, (mesh.degree > 1 ? mesh : MeshParameters()).spacing()))
         return "all waves are smooth";
       return "";
     }
@@ -474,9 +449,8 @@ namespace ThermoContact
     double
     passage_of_cell(const Parameters &parameters)
     {
-      return std::ldexp(std::sqrt(parameters.model.inertia) /
-                          parameters.mesh.cells,
-                        -static_cast<int>(parameters.mesh.refinements));
+      return std::sqrt(parameters.model.inertia) /
+             parameters.mesh.n_cells_along();
     }
 
 
@@ -524,7 +498,7 @@ namespace ThermoContact
       choice.has_unresolved_fronts =
         !is_box && parameters.model.fields != "temperature" &&
         parameters.model.inertia > 0. &&
-        has_sharp_fronts(parameters, spacing(parameters.mesh));
+        has_sharp_fronts(parameters, parameters.mesh.spacing());
       return choice;
     }
   } // namespace
@@ -575,7 +549,7 @@ namespace ThermoContact
     return parameters.model.fields == "temperature" ||
            !(parameters.model.inertia > 0.) ||
            length_of_diffusion(parameters.model) >=
-             Tolerances::nodes_of_front * spacing(parameters.mesh);
+             Tolerances::nodes_of_front * parameters.mesh.spacing();
   }
 
 
@@ -684,8 +658,7 @@ namespace ThermoContact
                              reason,
                            cells);
       if (cells > 0 &&
-          (written.mesh.cells == 0 ||
-           std::ldexp(written.mesh.cells, written.mesh.refinements) >= cells))
+          (written.mesh.cells == 0 || written.mesh.n_cells_along() >= cells))
         return with_scheme(written,
                            default_scheme(),
                            "its mesh resolves all fronts",
@@ -702,8 +675,7 @@ namespace ThermoContact
       const Parameters &parameters = choice.parameters;
       const double      n_steps =
         parameters.time.end_time / *parameters.time.step_size;
-      if (n_steps *
-            std::ldexp(parameters.mesh.cells, parameters.mesh.refinements) <=
+      if (n_steps * parameters.mesh.n_cells_along() <=
           Tolerances::most_cell_steps)
         return choice;
       return with_scheme(written,

@@ -16,6 +16,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -229,9 +230,26 @@ namespace ThermoContact
     unsigned int
     n_cells_across() const;
 
+    /** Number of cells along the body. */
+    double
+    n_cells_along() const
+    {
+      return std::ldexp(cells, refinements);
+    }
+
+    /** Number of cells at the contact end. */
+    double
+    n_contact_cells(const unsigned int dim) const
+    {
+      return std::pow(std::ldexp(n_cells_across(), refinements), dim - 1.);
+    }
+
     /** Number of cells of a body of this dimension. */
     double
-    n_cells(const unsigned int dim) const;
+    n_cells(const unsigned int dim) const
+    {
+      return n_cells_along() * n_contact_cells(dim);
+    }
 
     /** The longest side over the shortest of the flattest cell; dim > 1. */
     double
@@ -257,6 +275,11 @@ namespace ThermoContact
     std::vector<double>
     cell_sizes_across() const;
 
+    /** Mean distance of nodes along the body, also of a mesh whose cells and
+     * degree are automatic. */
+    double
+    spacing() const;
+
     /** Mean distance of nodes in the cells of the contact end. */
     double
     contact_spacing() const;
@@ -267,6 +290,24 @@ namespace ThermoContact
      */
     double
     contact_node_length() const;
+
+    /** Makes half as many cells in each direction; false if there are no fewer.
+     */
+    bool
+    halve(const unsigned int dim);
+
+    /** Whether a place is in the body; coordinates that it lacks are 0. */
+    bool
+    contains(const std::array<double, 3> &place) const
+    {
+      const auto [x, y, z] = place;
+      return x >= 0. && x <= 1. && y >= 0. && y <= width && z >= 0. &&
+             z <= width;
+    }
+
+    /** The coordinates of places for which that is so. */
+    std::string
+    limits_of_places(const unsigned int dim) const;
   };
 
 
