@@ -265,7 +265,7 @@ namespace ThermoContact
         }
       const bool depends_on_x_alone =
         (!scene.fields.has_displacement || scene.has_rollers) &&
-        !scene.heat.has_lateral_exchange() &&
+        scene.heat.has_linear_profile() &&
         (!scene.contact.law->is_active() || scene.contact.has_uniform_gap()) &&
         data.is_along_axis() && !scene.has_bodies();
       if (dim > 1 && depends_on_x_alone)

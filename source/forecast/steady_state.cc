@@ -40,7 +40,7 @@ namespace ThermoContact
       if (scene.fields.has_displacement &&
           (scene.has_free_end || boundary.right.is_any()))
         return "no closed form with a free end x = 0, springs or masses";
-      if (scene.parameters.dimension > 1 && scene.heat.has_lateral_exchange())
+      if (scene.parameters.dimension > 1 && !scene.heat.has_linear_profile())
         return "no closed form with a lateral heat exchange in more than one "
                "dimension";
       if (!scene.fields.has_displacement)

@@ -44,11 +44,11 @@ namespace ThermoContact
     if (!discretization.has_field(Field::temperature))
       return;
     set_steady_profile();
+    discretization.contact_end().get_values(Field::temperature,
+                                            steady_profile_,
+                                            steady_end);
     if (discretization.has_bodies())
       {
-        discretization.contact_end().get_values(Field::temperature,
-                                                steady_profile_,
-                                                steady_end);
         unbalanced_heat = loads.outer_heat();
         stage_operator.conduction.add(-1.,
                                       steady_profile_,
@@ -56,16 +56,7 @@ namespace ThermoContact
                                       heat_product);
         stage_operator.zero_constrained(Field::temperature, unbalanced_heat);
         reference_coefficient = 0.;
-        if (material.has_thermal_stress())
-          stage_operator.thermal_stress.vmult(steady_stress, steady_profile_);
-        return;
       }
-    steady_end.assign(discretization.contact_end().n_nodes(),
-                      heat.steady_temperature(1.));
-    if (heat.has_lateral_exchange())
-      discretization.contact_end().get_values(Field::temperature,
-                                              steady_profile_,
-                                              steady_end);
     if (material.has_thermal_stress())
       stage_operator.thermal_stress.vmult(steady_stress, steady_profile_);
   }

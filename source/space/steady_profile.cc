@@ -37,7 +37,7 @@ namespace ThermoContact
     for (unsigned int i = 0; i < nodal_values.size(); ++i)
       profile.local_element(i) =
         heat.steady_temperature(nodal_values[i].node[0]);
-    if (!heat.has_lateral_exchange())
+    if (heat.has_linear_profile())
       return;
 
     // where the matrices have no exchange, that of the nodes

@@ -218,6 +218,13 @@ namespace ThermoContact
       return reference_coefficient / (reference_coefficient + 1.);
     }
 
+    /** Whether the profile at rest is steady_temperature() everywhere. */
+    bool
+    has_linear_profile() const
+    {
+      return !has_lateral_exchange();
+    }
+
     /** $\theta_s(x)$ without a lateral heat exchange, (M2.1), (M2.4). */
     double
     steady_temperature(const double x) const
