@@ -496,6 +496,35 @@ namespace ThermoContact
 
 
   template <int dim, typename Number>
+  void
+  CellProducts<dim, Number>::add_contact_viscosity(
+    const double               factor,
+    LevelVector<Number>       &y,
+    const LevelVector<Number> &x) const
+  {
+    if (!has_elastic_contact_nodes)
+      return;
+    LevelVector<Number> extended(x), product(x);
+    extended.update_ghost_values();
+    for (const Entry &entry : extension)
+      extended.begin()[entry.row] = 0.;
+    for (const Entry &entry : extension)
+      extended.begin()[entry.row] +=
+        entry.value * extended.begin()[entry.column];
+    extended.zero_out_ghost_values();
+    contact_stiffness(product, extended);
+    for (const Entry &entry : extension)
+      product.begin()[entry.column] += entry.value * product.begin()[entry.row];
+    for (const Entry &entry : extension)
+      product.begin()[entry.row] = 0.;
+    product.compress(VectorOperation::add);
+    contact_stiffness(extended, x);
+    y.add(factor, product, -factor, extended);
+  }
+
+
+
+  template <int dim, typename Number>
   LevelVector<Number>
   CellProducts<dim, Number>::diagonal(const Field::Block field,
                                       const double       mass,
@@ -576,6 +605,7 @@ namespace ThermoContact
     , n(discretization.degree() + 1)
     , n_nodes(Utilities::fixed_power<dim>(n))
     , has_lumped_mass(scene.has_lumped_mass)
+    , has_elastic_contact_nodes(scene.has_elastic_contact_nodes())
     , is_by_planes(n == 2 && Utilities::MPI::n_mpi_processes(
                                discretization.communicator()) == 1)
     , scratch((dim + dim * dim) * n_nodes * n_lanes)
@@ -595,6 +625,8 @@ namespace ThermoContact
             collect_lumped_mass(field, cells);
         }
     collect_faces(scene);
+    if (has_elastic_contact_nodes)
+      collect_extension();
     const LevelGrid<dim> grid(scene.parameters.mesh);
     std::array<std::vector<unsigned int>, 2>
       entries; // of their first component
@@ -883,6 +915,36 @@ namespace ThermoContact
     for (const Field::Block field : all_fields)
       keep(at_end[field], fields[field].at_end);
     keep(at_sides, fields[Field::temperature].at_sides);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  CellProducts<dim, Number>::collect_extension()
+  {
+    const FullMatrix<double> of_cell =
+      extension_to_contact_nodes(discretization);
+    const auto &partitioner =
+      *fields[Field::displacement].prototype.get_partitioner();
+    std::vector<types::global_dof_index>                    dofs(of_cell.m());
+    std::map<std::pair<unsigned int, unsigned int>, double> factors;
+    for (const Cell &cell :
+         discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && touches_contact_end<dim>(cell))
+        {
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (of_cell(i, i) == 0.)
+              for (unsigned int j = 0; j < dofs.size(); ++j)
+                if (of_cell(i, j) != 0.)
+                  factors[{position(Field::displacement, dofs[i]),
+                           position(Field::displacement, dofs[j])}] =
+                    of_cell(i, j);
+        }
+    for (const auto &[place, factor] : factors)
+      if (place.first < partitioner.locally_owned_size())
+        extension.push_back({place.first, place.second, Number(factor)});
   }
 
 

@@ -75,7 +75,10 @@ namespace ThermoContact
     , stiffness{[&](Vector &y, const Vector &x) {
       products.vmult(Field::displacement, 0., 1., y, x);
     }}
-    , viscous_stiffness(stiffness)
+    , viscous_stiffness{[&](Vector &y, const Vector &x) {
+      products.vmult(Field::displacement, 0., 1., y, x);
+      products.add_contact_viscosity(1., y, x);
+    }}
   {}
 
 

@@ -130,6 +130,8 @@ namespace ThermoContact
           const auto [mass, stiffness] =
             mass_and_stiffness(coefficients, material, field);
           cell_products_->vmult(field, mass, stiffness, y, x);
+          if (!is_heat && terms[1].first != 0.)
+            cell_products_->add_contact_viscosity(terms[1].first, y, x);
         }
     if (matrices_ != nullptr)
       set_sum({{{terms[0].first, is_heat ? &heat_mass : &momentum_mass, &x},

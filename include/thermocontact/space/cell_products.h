@@ -67,12 +67,21 @@ namespace ThermoContact
                      const LevelVector<Number> &x) const;
 
     /**
-     * @p y $=Sx$ at the nodes of the contact end, for @p x that is zero at all
-     * others, by the cells at that end alone.
+     * The part of @p y $=Sx$ by the cells at the contact end: all of it at its
+     * nodes, and for @p x that is zero at all others.
      */
     void
     contact_stiffness(LevelVector<Number>       &y,
                       const LevelVector<Number> &x) const;
+
+    /**
+     * @p y += @p factor $(S_\zeta-S)$ @p x, $S_\zeta=\Pi^TS\Pi$ (C6.1), by the
+     * cells at the contact end alone; nothing where contact nodes are viscous.
+     */
+    void
+    add_contact_viscosity(const double               factor,
+                          LevelVector<Number>       &y,
+                          const LevelVector<Number> &x) const;
 
     /** The diagonal of the matrix of vmult(). Collective. */
     LevelVector<Number>
@@ -139,6 +148,7 @@ namespace ThermoContact
     const unsigned int         n;       ///< nodes in one direction
     const unsigned int         n_nodes; ///< of a cell
     const bool                 has_lumped_mass;
+    const bool                 has_elastic_contact_nodes;
     const bool                 is_by_planes; ///< of degree 1 on one rank
 
     /** Of the nodes of a cell, which are numbered by vertices, lines, ... */
@@ -149,6 +159,7 @@ namespace ThermoContact
     std::vector<Batch>        batches; ///< those at the contact end last
     unsigned int              first_at_end = 0;
     std::array<FieldCells, 2> fields;
+    std::vector<Entry>        extension; ///< $\Pi$ at contact nodes of the rank
 
     using OnGrid   = LevelMatrix<dim, Number>;
     using Operator = typename OnGrid::Operator;
@@ -207,6 +218,9 @@ namespace ThermoContact
      */
     void
     collect_faces(const Scene &scene);
+
+    void
+    collect_extension();
 
     /** Before collect_faces(), which has that of contact nodes without mass. */
     void

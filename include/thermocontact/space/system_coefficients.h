@@ -119,7 +119,7 @@ namespace ThermoContact
     double stiffness;
   };
 
-  /** The same of a body without matrices, where $S_\zeta=S$. */
+  /** The same with $S$ for $S_\zeta$, as for preconditioners. */
   inline MassAndStiffness
   mass_and_stiffness(const SystemCoefficients &c,
                      const Material           &material,
