@@ -107,9 +107,11 @@ namespace ThermoContact
   std::string
   EnergyMonitor::add(const unsigned int step,
                      const double       time,
-                     const EnergyTerms &terms)
+                     const EnergyTerms &terms,
+                     const double       algebraic)
   {
-    scale                = std::max(scale, terms.magnitude());
+    scale = std::max(scale, terms.magnitude());
+    smallest += algebraic;
     const double created = terms.sum() - smallest;
     ++n_steps;
     if (created <= 0. && !gives_back)

@@ -293,8 +293,8 @@ namespace ThermoContact
     if (result.is_prescribed)
       energy_monitor.start(result.energy);
     else
-      history_.warn(
-        energy_monitor.add(record().step, record().time, result.energy));
+      history_.warn(energy_monitor.add(
+        record().step, record().time, result.energy, result.algebraic));
     if (controller.is_finished(state_.time))
       {
         history_.warn(spatial_error_monitor.take_warning());

@@ -34,11 +34,16 @@ namespace ThermoContact
     /**
      * Takes the state after a step.
      *
+     * @param algebraic energy that residuals have brought in in the step, which
+     *   the scheme has not created
      * @return a warning with the step and the remedy at the first step that has
      *   created energy, else nothing
      */
     std::string
-    add(const unsigned int step, const double time, const EnergyTerms &terms);
+    add(const unsigned int step,
+        const double       time,
+        const EnergyTerms &terms,
+        const double       algebraic);
 
     /** The part that changes during a run, for checkpoints. */
     template <class Archive>
