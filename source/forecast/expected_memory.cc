@@ -18,6 +18,8 @@ namespace ThermoContact
     constexpr double bytes_of_process   = 1.7e8;
     // Per unknown, without what grows with the degree.
     constexpr double bytes_by_iteration = 600.;
+    // Of all contact nodes, in a step that conserves energy.
+    constexpr double n_dense_matrices = 10.;
 
 
 
@@ -66,6 +68,22 @@ namespace ThermoContact
 
 
 
+    /** Contact nodes with a response each, as the direct solver has them; the
+     * iterative one for a scheme that needs them. */
+    double
+    n_responses(const Scene &scene)
+    {
+      const unsigned int dim = scene.parameters.dimension;
+      return scene.contact.law->is_active() &&
+                 (!scene.linear_solver.is_iterative ||
+                  scene.scheme.integrator ==
+                    IntegratorKind::energy_conserving) ?
+               scene.parameters.mesh.n_contact_nodes(dim) :
+               0.;
+    }
+
+
+
     /** A Reset has factors of its own: its Equilibrium is not trivial. */
     bool
     has_equilibrium(const Scene &scene)
@@ -88,7 +106,9 @@ namespace ThermoContact
       return processes; // its matrices are small
     if (scene.linear_solver.is_iterative)
       return processes + bytes_by_iteration * n_unknowns +
-             bytes_of_degree(scene, n_ranks);
+             bytes_of_degree(scene, n_ranks) +
+             n_ranks * n_dense_matrices * sizeof(double) *
+               std::pow(n_responses(scene), 2);
     // neighbours of a node are as many as nodes of the cells around it
     const double width = (scene.parameters.mesh.degree + 1.) / 3.;
     const double n_kept =
@@ -123,15 +143,14 @@ namespace ThermoContact
                      1.6 :
                      infinity);
         return seconds_of_process +
-               n * (1.2e-5 + 2e-6 * softness * (n_stages + 0.1 * n_made));
+               n *
+                 (1.2e-5 + 2e-6 * softness *
+                             (n_stages + n_made * (0.1 + n_responses(scene))));
       }
     const double stage =
       dim == 2 ? 2e-8 * std::pow(n, 1.4) : 3.5e-8 * std::pow(n, 1.54);
     const double factors =
       dim == 2 ? 2e-7 * std::pow(n, 1.5) : 5e-8 * std::pow(n, 2.);
-    const double n_responses = scene.contact.law->is_active() ?
-                                 parameters.mesh.n_contact_nodes(dim) :
-                                 0.;
     // of coefficients of the temperature: iterations of Newton's method, each
     // with integrals over all cells
     const double n_tangents = scene.sources.has_laws ? 3. * n_stages : 0.;
@@ -140,7 +159,7 @@ namespace ThermoContact
     const double integrals =
       4e-9 * n_points * n_in_cell * n_in_cell * parameters.mesh.n_cells(dim);
     return seconds_of_process + 3e-5 * n +
-           n_made * (factors + n_responses * stage) + n_stages * stage +
+           n_made * (factors + n_responses(scene) * stage) + n_stages * stage +
            n_tangents * (factors + integrals);
   }
 

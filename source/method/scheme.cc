@@ -57,7 +57,6 @@ namespace ThermoContact
         "the scheme finds its pressures before it knows the temperatures";
       scheme.needs_resting_end =
         "its midpoint rule would let the velocity of a moving end alternate";
-      scheme.needs_factors = true;
       scheme.cannot_hold_contact =
         "the scheme conserves energy through contact in steps of any size";
       scheme.step_exponent = 0.5;
@@ -78,7 +77,6 @@ namespace ThermoContact
       scheme.can_create_energy   = false;
       scheme.has_no_dispersion   = true;
       scheme.needs_inertia       = "without inertia there are no waves";
-      scheme.needs_factors       = true;
       scheme.cannot_hold_contact = "a wave passes a cell in each of its steps";
       scheme.step_exponent       = 0.5;
       scheme.integrator          = IntegratorKind::box;

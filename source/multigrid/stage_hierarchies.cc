@@ -7,18 +7,11 @@
 
 namespace ThermoContact
 {
-  namespace
-  {
-    constexpr unsigned int max_hierarchies = 4;
-  } // namespace
-
-
-
   template <int dim>
   StageHierarchies<dim>::StageHierarchies(const Body<dim> &body)
     : body(body)
     , levels_(body)
-    , hierarchies(max_hierarchies)
+    , hierarchies(most_kept())
   {}
 
 
@@ -43,6 +36,18 @@ namespace ThermoContact
         }
     hierarchies.add(std::move(hierarchy));
     ++n_made_;
+  }
+
+
+
+  template <int dim>
+  types::global_dof_index
+  StageHierarchies<dim>::n_factorized_unknowns() const
+  {
+    types::global_dof_index largest = 0;
+    for (const Field::Block field : all_fields)
+      largest = std::max(largest, levels_.field(0, field).right.size());
+    return largest;
   }
 
 

@@ -407,21 +407,12 @@ namespace ThermoContact
 
     /** LinearSolver::needs_factors. */
     std::string
-    reason_for_factors(const Parameters &parameters,
-                       const Scheme     &scheme,
-                       const bool        is_fixed_point,
-                       const bool        has_prescribed_start)
+    reason_for_factors(const Parameters &parameters)
     {
       if (parameters.dimension == 1)
         return "Dimension = 1";
       if (parameters.has_material())
         return "section Bodies is given";
-      if (scheme.needs_factors)
-        return "Time/Scheme = " + scheme.name;
-      if (is_fixed_point)
-        return "Solver/Step solver = fixed point";
-      if (has_prescribed_start)
-        return "Time/Start = paper";
       return "";
     }
 
@@ -443,14 +434,16 @@ namespace ThermoContact
     LinearSolver
     resolve_linear_solver(const Parameters  &parameters,
                           const SceneFields &fields,
-                          const std::string &needs_factors)
+                          const bool         is_fixed_point)
     {
-      const SolverParameters &solver = parameters.solver;
-      const unsigned int      dim    = parameters.dimension;
+      const std::string       needs_factors = reason_for_factors(parameters);
+      const SolverParameters &solver        = parameters.solver;
+      const unsigned int      dim           = parameters.dimension;
       LinearSolver            result{false,
                           false,
-                          solver.linear_tolerance.value_or(
-                            Tolerances::default_residual),
+                          is_fixed_point ? Tolerances::rounding_of_solution :
+                                                      solver.linear_tolerance.value_or(
+                                             Tolerances::default_residual),
                           needs_factors,
                           needs_factors};
       if (solver.linear_solver != "automatic")
@@ -529,13 +522,7 @@ namespace ThermoContact
     , has_lumped_mass(parameters.mesh.mass_matrix == "lumped")
     , has_midpoint_mass(scheme.has_no_dispersion)
     , is_fixed_point(parameters.solver.step_solver == "fixed point")
-    , linear_solver(
-        resolve_linear_solver(parameters,
-                              fields,
-                              reason_for_factors(parameters,
-                                                 scheme,
-                                                 is_fixed_point,
-                                                 has_prescribed_start)))
+    , linear_solver(resolve_linear_solver(parameters, fields, is_fixed_point))
   {}
 
 

@@ -385,6 +385,9 @@ namespace ThermoContact
     unused.add_if(!scene.linear_solver.is_iterative,
                   {"Solver/Linear tolerance"},
                   "Solver/Linear solver = direct");
+    unused.add_if(scene.is_fixed_point,
+                  {"Solver/Linear tolerance"},
+                  "Solver/Step solver = fixed point");
     return unused.entries;
   }
 

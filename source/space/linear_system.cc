@@ -317,7 +317,7 @@ namespace ThermoContact
       n_iterations_ += conjugate_gradients(
         rows == Rows::contact_end    ? "the equilibrium of the contact nodes" :
         field == Field::displacement ? "the motion of the body" :
-        coefficients.conduction > 0. ? "the steady profile" :
+        coefficients.conduction > 0. ? "the temperature" :
                                        "the temperature of a body that is "
                                        "heated at once",
         *this,

@@ -4,9 +4,7 @@
 #include <thermocontact/space/linear_system.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/dirk_integrator.h>
-#include <thermocontact/time/fixed_point_solver.h>
-#include <thermocontact/time/iterative_solver.h>
-#include <thermocontact/time/monolithic_solver.h>
+#include <thermocontact/time/make_stage_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,23 +15,6 @@ namespace ThermoContact
   {
     /** Whose abscissae are in the order of time. */
     const std::string scheme_in_order = "sdirk3";
-
-
-
-    /** The solver that the scene asks for. */
-    template <int dim>
-    std::unique_ptr<StageSolver>
-    make_stage_solver(const Body<dim> &body)
-    {
-      if (body.nonlinear)
-        return nullptr;
-      if (body.scene.is_fixed_point)
-        return std::make_unique<FixedPointSolver<dim>>(body);
-      if constexpr (dim > 1)
-        if (body.scene.linear_solver.is_iterative)
-          return std::make_unique<IterativeSolver<dim>>(body);
-      return std::make_unique<MonolithicSolver<dim>>(body);
-    }
   } // namespace
 
 
@@ -45,7 +26,7 @@ namespace ThermoContact
     , in_order(std::is_sorted(of_scheme.c.begin(), of_scheme.c.end()) ?
                  of_scheme :
                  butcher_tableau(scheme_in_order))
-    , solver(make_stage_solver(body))
+    , solver(body.nonlinear ? nullptr : make_stage_solver(body))
     , newton(body.nonlinear ? std::make_unique<NewtonStage<dim>>(body) :
                               nullptr)
     , driven(body)

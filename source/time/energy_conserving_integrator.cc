@@ -12,7 +12,7 @@ namespace ThermoContact
   template <int dim>
   EnergyConservingIntegrator<dim>::EnergyConservingIntegrator(Body<dim> &body)
     : body(body)
-    , solver(body)
+    , solver(make_stage_solver(body))
     , driven(body)
     , midpoint(body.make_state())
     , heat_load(body.discretization.make_vector(Field::temperature))
@@ -64,8 +64,8 @@ namespace ThermoContact
     const double tau = 0.5 * time_step.size;
     if (!driven.is_active())
       {
-        solver.solve_without_contact(
-          state, tau, heat_load, momentum_load, rates);
+        solver->solve(
+          state, tau, heat_load, momentum_load, ContactMode::open, rates);
         return;
       }
     static const std::vector<std::vector<double>> half   = {{0.5}};
@@ -73,7 +73,8 @@ namespace ThermoContact
     driven.start(state, time_step.size, {half, weight, {time_step.last_loads}});
     State      known(state);
     const auto loads = driven.constrain(0, {heat_load, momentum_load}, known);
-    solver.solve_without_contact(known, tau, loads.heat, loads.momentum, rates);
+    solver->solve(
+      known, tau, loads.heat, loads.momentum, ContactMode::open, rates);
   }
 
 
@@ -88,6 +89,11 @@ namespace ThermoContact
     const double size = time_step.size;
     move_obstacle(state, time_step);
     assemble_loads(time_step.first_loads, time_step.last_loads);
+    if (contact)
+      {
+        loss = solver->response(0.5 * size);
+        loss.add(-1., receptance);
+      }
     solve_without_contact(state, time_step);
     if (contact)
       apply_contact(state, time_step);
@@ -113,6 +119,7 @@ namespace ThermoContact
     result.start_sums();
     result.n_iterations  = rates.n_iterations;
     result.is_prescribed = false;
+    result.algebraic += size * rates.algebraic_power;
     result.add_dissipation(size, midpoint, body);
     // contact nodes move from end to end, not along their mean velocity
     if (contact)
@@ -207,20 +214,13 @@ namespace ThermoContact
           std::max(displacement_scale,
                    std::abs(at_end) + std::abs(old_free_position[i]));
       }
-    FullMatrix<double> difference(solver.response());
-    difference.add(-1., receptance);
-    rates.contact.pressure = state.contact.pressure;
-    rates.n_iterations     = contact->step_pressure(laws,
-                                                start,
-                                                free_end,
-                                                difference,
-                                                displacement_scale,
-                                                rates.contact.pressure);
-    solver.apply_pressure(rates);
-    const std::vector<double> loss =
-      product(difference, rates.contact.pressure);
+    rates.contact.pressure     = state.contact.pressure;
+    rates.n_iterations = contact->step_pressure(
+      laws, start, free_end, loss, displacement_scale, rates.contact.pressure);
+    solver->apply_pressure(rates);
+    const std::vector<double> lost = product(loss, rates.contact.pressure);
     for (unsigned int i = 0; i < n; ++i)
-      free_position[i] -= 2. * loss[i];
+      free_position[i] -= 2. * lost[i];
   }
 
 
@@ -244,7 +244,7 @@ namespace ThermoContact
     body.contact_end().get_all_values(Field::displacement,
                                       new_state.displacement,
                                       displacement);
-    const std::vector<double> loss = product(receptance, pressure);
+    const std::vector<double> yielded = product(receptance, pressure);
 
     // nodes without pressure follow from the middle of the step to its end
     std::vector<double> more(pressure);
@@ -257,7 +257,7 @@ namespace ThermoContact
         position[i] =
           i >= pressure.size() ? displacement[i] + position[i] :
           pressure[i] != 0.    ? displacement_of_law(body, new_state, i) :
-                                 free_position[i] - loss[i];
+                                 free_position[i] - yielded[i];
         displacement[i] = position[i] - displacement[i];
       }
     Vector change = body.discretization.make_vector(Field::displacement);

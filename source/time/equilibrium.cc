@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/multigrid/motion_preconditioner.h>
+#include <thermocontact/multigrid/stage_preconditioner.h>
 #include <thermocontact/time/equilibrium.h>
 
 namespace ThermoContact
@@ -39,7 +39,7 @@ namespace ThermoContact
     if (system)
       return;
     if (rows == Rows::all && coefficients.stiffness != 0.)
-      preconditioner = make_motion_preconditioner(body);
+      preconditioner = make_stage_preconditioner(body);
     keep(std::make_unique<LinearSystem<dim>>(
       body.equations, coefficients, nullptr, rows, preconditioner.get()));
   }
@@ -72,6 +72,8 @@ namespace ThermoContact
     provide();
     const unsigned int n_iterations = system->n_iterations();
     const unsigned int n_made = preconditioner ? preconditioner->n_made() : 0;
+    if (preconditioner)
+      preconditioner->make(1.);
     system->set_springs({}, {});
     y = 0.;
     if (laws.empty() || !body.law().is_active())

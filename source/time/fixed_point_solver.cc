@@ -3,6 +3,7 @@
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/method/impact_layer.h>
+#include <thermocontact/multigrid/stage_preconditioner.h>
 #include <thermocontact/space/node_laws.h>
 #include <thermocontact/time/fixed_point_solver.h>
 
@@ -18,6 +19,7 @@ namespace ThermoContact
     , tolerance(body.scene.parameters.solver.fixed_point_tolerance)
     , max_iterations(body.scene.parameters.solver.fixed_point_iterations)
     , factorized_tau(0.)
+    , preconditioner(make_stage_preconditioner(body))
     , heat_rhs(body.discretization.make_vector(Field::temperature))
     , momentum_rhs(body.discretization.make_vector(Field::displacement))
     , rhs(heat_rhs)
@@ -31,8 +33,9 @@ namespace ThermoContact
   types::global_dof_index
   FixedPointSolver<dim>::n_factorized_unknowns() const
   {
-    return std::max(body.discretization.n_temperature_dofs(),
-                    body.discretization.n_displacement_dofs());
+    return preconditioner ? preconditioner->n_factorized_unknowns() :
+                            std::max(body.discretization.n_temperature_dofs(),
+                                     body.discretization.n_displacement_dofs());
   }
 
 
@@ -41,16 +44,38 @@ namespace ThermoContact
   void
   FixedPointSolver<dim>::factorize(const double tau)
   {
-    const StopWatch          watch(counters_.factorization_seconds);
-    const SystemCoefficients stage = stage_coefficients(tau);
-    heat_system =
-      std::make_unique<LinearSystem<dim>>(body.equations,
-                                          stage.of(Field::temperature));
-    momentum_system =
-      std::make_unique<LinearSystem<dim>>(body.equations,
-                                          stage.of(Field::displacement));
-    counters_.factorizations += 2;
-    factorized_tau = tau;
+    const StopWatch watch(counters_.factorization_seconds);
+    if (preconditioner)
+      {
+        preconditioner->make(tau);
+        ++counters_.factorizations;
+      }
+    const auto make = [&](const Field::Block field) {
+      auto system =
+        std::make_unique<LinearSystem<dim>>(body.equations,
+                                            stage_coefficients(tau).of(field),
+                                            nullptr,
+                                            LinearSystem<dim>::Rows::all,
+                                            preconditioner.get());
+      counters_.factorizations += system->n_factorizations();
+      return system;
+    };
+    heat_system     = make(Field::temperature);
+    momentum_system = make(Field::displacement);
+    factorized_tau  = tau;
+  }
+
+
+
+  template <int dim>
+  void
+  FixedPointSolver<dim>::solve_field(const LinearSystem<dim> &system,
+                                     const Vector            &right,
+                                     Vector                  &solution)
+  {
+    const unsigned int n_before = system.n_iterations();
+    system.solve(solution, right, body.scene.linear_solver.tolerance);
+    counters_.count_iterations(system.n_iterations() - n_before);
   }
 
 
@@ -133,7 +158,7 @@ namespace ThermoContact
 
         rhs = heat_rhs;
         body.equations.add_heating(last_velocity, -1., rhs);
-        heat_system->solve(rates.temperature_rate, rhs);
+        solve_field(*heat_system, rhs, rates.temperature_rate);
 
         momentum_stage_rhs = momentum_rhs;
         body.equations.add_thermal_stress(rates.temperature_rate,
@@ -143,7 +168,7 @@ namespace ThermoContact
                                          rates.contact.pressure,
                                          tau,
                                          momentum_stage_rhs);
-        momentum_system->solve(rates.velocity, momentum_stage_rhs);
+        solve_field(*momentum_system, momentum_stage_rhs, rates.velocity);
         ++counters_.solves;
         update_pressure(tau, rates);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -15,21 +16,8 @@ namespace ThermoContact
     : ContactPort<dim>(body)
     , body(body)
     , stage(body, warnings)
+    , responses(stage.preconditioners().most_kept())
   {}
-
-
-
-  template <int dim>
-  types::global_dof_index
-  IterativeSolver<dim>::n_factorized_unknowns() const
-  {
-    const MultigridLevels<dim, float> &levels =
-      stage.preconditioners().levels();
-    types::global_dof_index largest = 0;
-    for (const Field::Block field : all_fields)
-      largest = std::max(largest, levels.field(0, field).right.size());
-    return largest;
-  }
 
 
 
@@ -43,7 +31,12 @@ namespace ThermoContact
     for (const auto &hierarchy : stage.preconditioners().all())
       {
         retained.taus.push_back(hierarchy.tau);
-        retained.has_response.push_back(false);
+        retained.has_response.push_back(
+          std::any_of(responses.all().begin(),
+                      responses.all().end(),
+                      [&](const Response &response) {
+                        return response.tau == hierarchy.tau;
+                      }));
         retained.contact_springs.push_back(hierarchy.last_contact);
       }
     return retained;
@@ -56,21 +49,16 @@ namespace ThermoContact
   IterativeSolver<dim>::restore(const RetainedFactorizations &retained)
   {
     stage.preconditioners().clear();
+    responses.clear();
     for (unsigned int i = retained.taus.size(); i-- > 0;)
-      stage.restore(retained.taus[i], retained.contact_springs[i]);
+      {
+        stage.restore(retained.taus[i], retained.contact_springs[i]);
+        if (retained.has_response[i])
+          response(retained.taus[i]);
+      }
     stage.set_reported_rounding(retained.reported_rounding);
     counters_ = retained.counters;
-  }
-
-
-
-  template <int dim>
-  void
-  IterativeSolver<dim>::count(const unsigned int n_iterations)
-  {
-    counters_.linear_iterations += n_iterations;
-    counters_.max_linear_iterations =
-      std::max(counters_.max_linear_iterations, n_iterations);
+    warnings.clear(); // the run has given them before
   }
 
 
@@ -83,7 +71,7 @@ namespace ThermoContact
       body.scene.linear_solver.tolerance *
       (body.scene.heat.exchange->is_in_matrices() ? 1. :
                                                     Tolerances::within_search);
-    count(stage.solve(
+    counters_.count_iterations(stage.solve(
       is_last ? tolerance : std::max(tolerance, Tolerances::loose_residual)));
   }
 
@@ -121,22 +109,69 @@ namespace ThermoContact
 
 
   template <int dim>
-  double
-  IterativeSolver<dim>::algebraic_power(
-    const State               &known,
-    const double               tau,
-    const std::vector<double> &pressure) const
+  const FullMatrix<double> &
+  IterativeSolver<dim>::response(const double tau)
   {
-    double sum = 0.;
+    if (responses.use(tau))
+      return responses.front().matrix;
+    const StopWatch           watch(counters_.contact_seconds);
+    const unsigned int        n_made = stage.preconditioners().n_made();
+    const State               at_rest(body.make_state());
+    const Vector              no_heat(at_rest.temperature);
+    Vector                    load(at_rest.displacement);
+    const std::vector<double> none(body.contact_end().n_nodes(), 0.);
+
+    FullMatrix<double> matrix = body.contact_end().response_matrix(
+      [&](const unsigned int node) -> const Vector & {
+        body.contact_end().set_load_of_node(Field::displacement,
+                                            node,
+                                            1.,
+                                            load);
+        stage.prepare(at_rest, tau, no_heat, load, none);
+        stage.set_springs(none, none);
+        solve_system(true);
+        ++counters_.responses;
+        return stage.velocity();
+      });
+    matrix *= tau;
+    counters_.factorizations += stage.preconditioners().n_made() - n_made;
+    responses.add({tau, std::move(matrix)});
+    return responses.front().matrix;
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::apply_pressure(StageRates &rates)
+  {
+    const StopWatch watch(counters_.solve_seconds);
+    stage.push(rates.contact.pressure);
+    solve_system(true);
+    set_rates(std::vector<double>(rates.contact.pressure.size(), 0.), rates);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeSolver<dim>::set_rates(const std::vector<double> &pressure,
+                                  StageRates                &rates) const
+  {
+    const double tau = stage.length();
+    double       sum = 0.;
     if (body.scene.fields.has_temperature)
       {
-        Vector excess(known.temperature);
-        excess += stage.unknowns(Field::temperature);
-        excess -= body.energy.steady_profile();
-        sum += stage.unsolved(Field::temperature) * excess;
+        rates.temperature_rate.equ(1. / tau,
+                                   stage.unknowns(Field::temperature));
+        Vector at_end(excess);
+        at_end += stage.unknowns(Field::temperature);
+        sum += stage.unsolved(Field::temperature) * at_end;
       }
     if (body.scene.fields.has_displacement)
       {
+        rates.velocity.copy_locally_owned_data_from(
+          stage.unknowns(Field::displacement));
         Vector unsolved(stage.unsolved(Field::displacement));
         body.contact_end().subtract_load(Field::displacement,
                                          pressure,
@@ -144,7 +179,8 @@ namespace ThermoContact
                                          unsolved);
         sum += unsolved * stage.unknowns(Field::displacement);
       }
-    return -sum / (tau * body.discretization.geometry().cross_section());
+    rates.algebraic_power =
+      -sum / (tau * body.discretization.geometry().cross_section());
   }
 
 
@@ -165,8 +201,9 @@ namespace ThermoContact
     this->scale = stage.length();
     this->set_tangents(laws, misfit, stage.length());
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
-    count(stage.solve(Tolerances::estimate_residual,
-                      IterativeStage<dim>::Measure::of_start));
+    counters_.count_iterations(
+      stage.solve(Tolerances::estimate_residual,
+                  IterativeStage<dim>::Measure::of_start));
     const Vector none;
     this->subtract(1.,
                    stage.length(),
@@ -191,8 +228,7 @@ namespace ThermoContact
                               StageRates       &rates)
   {
     const StopWatch    watch(counters_.solve_seconds);
-    const unsigned int n_made   = stage.preconditioners().n_made();
-    const bool         has_heat = body.scene.fields.has_temperature;
+    const unsigned int n_made = stage.preconditioners().n_made();
     {
       const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
       stage.preconditioners().provide(tau);
@@ -220,12 +256,12 @@ namespace ThermoContact
       }
     counters_.factorizations += stage.preconditioners().n_made() - n_made;
     ++counters_.solves;
-    if (has_heat)
-      rates.temperature_rate.equ(1. / tau, stage.unknowns(Field::temperature));
-    if (body.scene.fields.has_displacement)
-      rates.velocity.copy_locally_owned_data_from(
-        stage.unknowns(Field::displacement));
-    rates.algebraic_power = algebraic_power(known, tau, rates.contact.pressure);
+    if (body.scene.fields.has_temperature)
+      {
+        excess = known.temperature;
+        excess -= body.energy.steady_profile();
+      }
+    set_rates(rates.contact.pressure, rates);
   }
 
 

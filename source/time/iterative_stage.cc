@@ -101,6 +101,19 @@ namespace ThermoContact
 
   template <int dim>
   void
+  IterativeStage<dim>::push(const std::vector<double> &pressure)
+  {
+    body.contact_end().subtract_load(Field::displacement,
+                                     pressure,
+                                     tau,
+                                     rhs.block(Field::displacement));
+    system->restart();
+  }
+
+
+
+  template <int dim>
+  void
   IterativeStage<dim>::set_exchange(const std::vector<double> &coefficient)
   {
     conductance.resize(coefficient.size(), 0.);

@@ -227,7 +227,7 @@ namespace ThermoContact
 
   template <int dim>
   void
-  MonolithicSolver<dim>::apply_pressure(StageRates &rates) const
+  MonolithicSolver<dim>::apply_pressure(StageRates &rates)
   {
     subtract_responses(Field::displacement, rates.contact.pressure, rates);
   }

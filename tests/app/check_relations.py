@@ -18,7 +18,7 @@ round
 iterative  a body by the other solver of stages; impacts: a rod as one on a rigid obstacle
 free       without Poisson's ratio and heat, a body with free sides
 direct     a rod by sparse factors
-fixed      the iteration of the paper, where it converges
+fixed      the iteration of the paper, where it converges, of a body without matrices
 point
 alone      without heat of the deformation, and an exchange that knows of no contact,
            temperatures are those of heat alone.
@@ -174,17 +174,18 @@ def direct(scene):
 
 
 def fixed_point(scene):
-    """The iteration of the paper, of its model with a soft obstacle."""
-    if not moves(scene) or not has_heat(scene) or scene["Dimension"] != "1" or \
-            exchange_varies(scene) or scene["Contact/Condition"] not in ("none", "normal compliance"):
+    """The iteration of the paper, of its model with a soft obstacle; without matrices."""
+    if not moves(scene) or not has_heat(scene) or exchange_varies(scene) or \
+            scene["Contact/Condition"] not in ("none", "normal compliance"):
         return None
     left_out = ("Time/Tolerance", "Output/Period", "Contact/Damping", "Contact/Dashpot")
     paper = {key: value for key, value in scene.items() if key not in left_out} | {
         "Time/Scheme": "backward euler", "Time/Step size": "0.005", "Model/Inertia": "1",
         "Time/Start": "consistent"} | (
         {"Contact/Compliance": "1"} if "Contact/Compliance" in scene else {})
-    return paper | {"Solver/Step solver": "fixed point",
-                    "Solver/Fixed point tolerance": "1e-13"}, {}, paper
+    without_matrices = {} if scene["Dimension"] == "1" else {"Solver/Linear solver": "iterative"}
+    return paper | without_matrices | {"Solver/Step solver": "fixed point",
+                                       "Solver/Fixed point tolerance": "1e-13"}, {}, paper
 
 
 def base(scene):

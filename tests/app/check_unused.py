@@ -219,6 +219,10 @@ SCENES = [
      (PLANE, "Solver/Linear solver=iterative"),
      # 193 x 385 nodes with three unknowns, above every limit
      (PLANE, "Mesh/Cells=48", "Mesh/Cells across=96")),
+    ("Solver/Step solver = fixed point", "Solver/Linear tolerance",
+     (PLANE, "Solver/Linear solver=iterative", "Solver/Step solver=fixed point",
+      "Time/Scheme=backward euler", STEPS),
+     (PLANE, "Solver/Linear solver=iterative")),
     ("Solver/Linear solver = direct", "Solver/Linear tolerance",
      (PLANE, "Solver/Linear solver=direct"),
      (PLANE, "Solver/Linear solver=iterative")),

@@ -56,9 +56,6 @@ namespace ThermoContact
     /** Why its fixed end cannot move; empty: it can. */
     std::string needs_resting_end;
 
-    /** Its steps need responses to unit pressures, and so sparse factors. */
-    bool needs_factors = false;
-
     /** The velocity of its contact nodes is the mean one of a step. */
     bool has_mean_velocity = false;
 

@@ -50,6 +50,13 @@ namespace ThermoContact
     void
     provide(const double tau);
 
+    void
+    make(const double tau) override
+    {
+      clear();
+      provide(tau);
+    }
+
     /**
      * Gives the current momentum block springs at the contact nodes, added to
      * its diagonal; infinite ones hold a node. Of the same nodes it keeps those
@@ -77,6 +84,9 @@ namespace ThermoContact
       return n_made_;
     }
 
+    types::global_dof_index
+    n_factorized_unknowns() const override;
+
     const Hierarchy &
     current() const
     {
@@ -88,6 +98,13 @@ namespace ThermoContact
     all() const
     {
       return hierarchies.all();
+    }
+
+    /** How many are kept. */
+    static constexpr unsigned int
+    most_kept()
+    {
+      return 4;
     }
 
     void

@@ -27,11 +27,12 @@ namespace ThermoContact
   public:
     virtual ~Preconditioner() = default;
 
-    /**
-     * As LinearSystem::set_springs().
-     *
-     * @param springs empty: there are none, and nothing is kept of others
-     */
+    /** Of the blocks of a stage of this length, anew, as in a run that is
+     * resumed; without springs. */
+    virtual void
+    make(const double tau) = 0;
+
+    /** As LinearSystem::set_springs(). */
     virtual void
     set_springs(const std::vector<double> &springs) = 0;
 
@@ -41,6 +42,10 @@ namespace ThermoContact
     /** Number of factors or preconditioners made so far. */
     virtual unsigned int
     n_made() const = 0;
+
+    /** The coarsest level, of one field. */
+    virtual types::global_dof_index
+    n_factorized_unknowns() const = 0;
   };
 
 

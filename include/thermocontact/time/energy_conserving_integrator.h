@@ -6,7 +6,7 @@
 #include <thermocontact/contact/conserving_contact.h>
 #include <thermocontact/time/driven_step.h>
 #include <thermocontact/time/equilibrium.h>
-#include <thermocontact/time/monolithic_solver.h>
+#include <thermocontact/time/make_stage_solver.h>
 #include <thermocontact/time/time_integrator.h>
 
 #include <memory>
@@ -42,12 +42,12 @@ namespace ThermoContact
     StageSolver &
     stage_solver() override
     {
-      return solver;
+      return *solver;
     }
 
   private:
-    Body<dim>            &body;
-    MonolithicSolver<dim> solver;
+    Body<dim>                         &body;
+    const std::unique_ptr<StageSolver> solver;
 
     DrivenStep<dim> driven; ///< of a fixed end that is heated
 
@@ -57,7 +57,8 @@ namespace ThermoContact
     Vector             heat_load;
     Vector             momentum_load;
     FullMatrix<double> all_receptance; ///< $X$ of (C6.3)
-    FullMatrix<double> receptance;     ///< its square part
+    FullMatrix<double> receptance;     ///< its square part, $X$ of the nodes
+    FullMatrix<double> loss;           ///< $W-X$ of the step
 
     Equilibrium<dim>                   nodes; ///< at fixed entropy
     std::unique_ptr<ConservingContact> contact;

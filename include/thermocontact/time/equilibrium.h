@@ -91,8 +91,7 @@ namespace ThermoContact
 
     /**
      * $X=K^{-1}\mathrm{diag}(w)$ of (C6.3), displacements of all nodes of the
-     * end per unit pressure at those that have pressures, which come first; of
-     * bodies that have matrices.
+     * end per unit pressure at those that have pressures, which come first.
      */
     FullMatrix<double>
     receptance();

@@ -8,14 +8,16 @@
 #include <thermocontact/time/stage_solver.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace ThermoContact
 {
   /**
    * The iteration (3.3)-(3.4) of the paper, doc/discretisation.md (D7.1): heat
    * with the last velocity, then momentum with the new temperature and the last
-   * contact pressure; one factorisation per field. Needs an elastic obstacle or
-   * none.
+   * contact pressure; one factorisation per field, or V-cycles for both. Needs
+   * an elastic obstacle or none.
    *
    * It converges for small stages only: the contact part contracts by
    * $\rho=\chi/\varepsilon$, (D7.2). Not far past that limit it settles into a
@@ -45,8 +47,9 @@ namespace ThermoContact
     std::string
     linear_solver() const override
     {
-      return body.equations.is_eliminated_along_rod() ? "block tridiagonal" :
-                                                        "direct";
+      return body.equations.is_eliminated_along_rod() ?
+               "block tridiagonal" :
+               body.scene.linear_solver.name();
     }
 
     RetainedFactorizations
@@ -60,9 +63,10 @@ namespace ThermoContact
     const double       tolerance;
     const unsigned int max_iterations;
 
-    double                             factorized_tau;
-    std::unique_ptr<LinearSystem<dim>> heat_system;
-    std::unique_ptr<LinearSystem<dim>> momentum_system;
+    double                                factorized_tau;
+    const std::unique_ptr<Preconditioner> preconditioner; ///< or null
+    std::unique_ptr<LinearSystem<dim>>    heat_system;
+    std::unique_ptr<LinearSystem<dim>>    momentum_system;
 
     Vector               heat_rhs;
     Vector               momentum_rhs;
@@ -75,6 +79,12 @@ namespace ThermoContact
 
     void
     factorize(const double tau);
+
+    /** Solves for one field to rounding, which the iteration does not see. */
+    void
+    solve_field(const LinearSystem<dim> &system,
+                const Vector            &right,
+                Vector                  &solution);
 
     /** Pressure of the compliance law (M1.4) at the end of the stage. */
     void

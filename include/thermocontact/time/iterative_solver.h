@@ -3,6 +3,7 @@
 #ifndef thermocontact_time_iterative_solver_h
 #define thermocontact_time_iterative_solver_h
 
+#include <thermocontact/base/recently_used.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/exchange_solver.h>
 #include <thermocontact/space/body.h>
@@ -42,14 +43,23 @@ namespace ThermoContact
       return "iterative";
     }
 
+    /** By a stage for each contact node. */
+    const FullMatrix<double> &
+    response(const double tau) override;
+
+    void
+    apply_pressure(StageRates &rates) override;
+
     void
     subtract_response(const std::vector<AffineLaw> &laws,
                       const std::vector<double>    &displacement,
                       State                        &difference) override;
 
-    /** The coarsest level, of one field. */
     types::global_dof_index
-    n_factorized_unknowns() const override;
+    n_factorized_unknowns() const override
+    {
+      return stage.preconditioners().n_factorized_unknowns();
+    }
 
     RetainedFactorizations
     retained() const override;
@@ -65,12 +75,23 @@ namespace ThermoContact
     double               factor = 0.;   ///< x per velocity
     std::vector<double>  end_pressures; ///< of the exchange that is tried last
     unsigned int         n_sets = 0;    ///< of tangents for it
+    Vector               excess; ///< $\theta$ over the steady one at the start
 
-    /** (D8.5) of the stage that was solved last. */
-    double
-    algebraic_power(const State               &known,
-                    const double               tau,
-                    const std::vector<double> &pressure) const;
+    struct Response
+    {
+      double             tau;
+      FullMatrix<double> matrix;
+    };
+
+    RecentlyUsed<Response> responses;
+
+    /**
+     * The rates of the stage that was solved last, and (D8.5).
+     *
+     * @param pressure beside the loads of the stage
+     */
+    void
+    set_rates(const std::vector<double> &pressure, StageRates &rates) const;
 
     using ContactPort<dim>::solve;
 
@@ -108,9 +129,6 @@ namespace ThermoContact
 
     std::vector<double>
     law_at(const std::vector<double> &coefficient) override;
-
-    void
-    count(const unsigned int n_iterations);
   };
 } // namespace ThermoContact
 

@@ -65,6 +65,11 @@ namespace ThermoContact
     void
     prepare_pressures();
 
+    /** Pressures act on the contact nodes, which are open, beside other loads.
+     */
+    void
+    push(const std::vector<double> &pressure);
+
     /**
      * Heat leaves through the contact nodes with these $k_i$ beside that of the
      * matrices, (C5.2). Before it is called no heat leaves so.

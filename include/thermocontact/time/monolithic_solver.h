@@ -73,27 +73,15 @@ namespace ThermoContact
     void
     restore(const RetainedFactorizations &retained) override;
 
-    /**
-     * The rates of a stage for zero pressures, on which they depend linearly:
-     * to be followed by apply_pressure(). Parameters as for solve().
-     */
-    void
-    solve_without_contact(const State  &known,
-                          const double  tau,
-                          const Vector &heat_load,
-                          const Vector &momentum_load,
-                          StageRates   &rates);
-
-    /** $W$ of (C2.1) for the stage that was solved last. */
     const FullMatrix<double> &
-    response();
+    response(const double tau) override
+    {
+      provide_factorization(tau);
+      return response();
+    }
 
-    /**
-     * Adds the response to @p rates.contact.pressure to the rates of the stage that was
-     * solved last without contact.
-     */
     void
-    apply_pressure(StageRates &rates) const;
+    apply_pressure(StageRates &rates) override;
 
   private:
     const Body<dim> &body;
@@ -147,6 +135,19 @@ namespace ThermoContact
 
     void
     keep(const double tau, LinearSystem<dim> &&system);
+
+    /** The rates of a stage for zero pressures, on which they depend linearly.
+     */
+    void
+    solve_without_contact(const State  &known,
+                          const double  tau,
+                          const Vector &heat_load,
+                          const Vector &momentum_load,
+                          StageRates   &rates);
+
+    /** $W$ of (C2.1) for the stage that was solved last. */
+    const FullMatrix<double> &
+    response();
 
     /** All that the scene needs. */
     void

@@ -77,6 +77,14 @@ namespace ThermoContact
     double solve_seconds         = 0.; ///< with factorisations
     double contact_seconds       = 0.; ///< pressures and responses
 
+    /** Of a Krylov method for one system of a stage. */
+    void
+    count_iterations(const unsigned int n)
+    {
+      linear_iterations += n;
+      max_linear_iterations = std::max(max_linear_iterations, n);
+    }
+
     /** Adds counts; times are of stages alone. */
     SolverCounters &
     operator+=(const SolverCounters &other)
@@ -181,6 +189,26 @@ namespace ThermoContact
                       const std::vector<double> & /*displacement*/,
                       State & /*difference*/)
     {}
+
+    /**
+     * $W$ of (C2.1) for stages of length @p tau with heat exchange in their
+     * matrices; to be asked for before such a stage is solved.
+     */
+    virtual const FullMatrix<double> &
+    response(const double /*tau*/)
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
+    /**
+     * Adds the response to @p rates.pressure to the rates of the stage that was
+     * solved last, which was open.
+     */
+    virtual void
+    apply_pressure(StageRates & /*rates*/)
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
 
     /** Unknowns of the largest matrix that is factorised; 0: there is none. */
     virtual types::global_dof_index
