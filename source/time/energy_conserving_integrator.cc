@@ -214,8 +214,8 @@ namespace ThermoContact
           std::max(displacement_scale,
                    std::abs(at_end) + std::abs(old_free_position[i]));
       }
-    rates.contact.pressure     = state.contact.pressure;
-    rates.n_iterations = contact->step_pressure(
+    rates.contact.pressure = state.contact.pressure;
+    rates.n_iterations     = contact->step_pressure(
       laws, start, free_end, loss, displacement_scale, rates.contact.pressure);
     solver->apply_pressure(rates);
     const std::vector<double> lost = product(loss, rates.contact.pressure);

@@ -201,7 +201,7 @@ namespace ThermoContact
     }
 
     /**
-     * Adds the response to @p rates.pressure to the rates of the stage that was
+     * Adds the response to @p rates.contact.pressure to the rates of the stage that was
      * solved last, which was open.
      */
     virtual void
