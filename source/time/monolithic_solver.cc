@@ -226,6 +226,20 @@ namespace ThermoContact
 
 
   template <int dim>
+  const FullMatrix<double> &
+  MonolithicSolver<dim>::response(const double tau)
+  {
+    {
+      const StopWatch watch(counters_.solve_seconds);
+      provide_factorization(tau);
+    }
+    const StopWatch watch(counters_.contact_seconds);
+    return response();
+  }
+
+
+
+  template <int dim>
   void
   MonolithicSolver<dim>::apply_pressure(StageRates &rates)
   {

@@ -74,11 +74,7 @@ namespace ThermoContact
     restore(const RetainedFactorizations &retained) override;
 
     const FullMatrix<double> &
-    response(const double tau) override
-    {
-      provide_factorization(tau);
-      return response();
-    }
+    response(const double tau) override;
 
     void
     apply_pressure(StageRates &rates) override;
