@@ -571,9 +571,9 @@ namespace ThermoContact
           Selection("automatic|direct|iterative"))
       .means("direct: sparse factors of the stage matrix, one set for each "
              "step size; iterative: Krylov and multigrid without matrices, for "
-             "large bodies in two and three dimensions; automatic: blocks "
-             "along the rod in one dimension and one process, else iterative "
-             "beyond 13000 unknowns in two and 3000 in three dimensions.");
+             "large bodies; automatic: blocks along the rod in one dimension "
+             "and one process, else iterative beyond 13000 unknowns in two "
+             "(energy conserving: 130000) and 3000 in three dimensions.");
     entry("Linear tolerance", linear_tolerance, NumberOrText::word("automatic"))
       .means("Residual at which the iterative solver stops, relative to the "
              "terms of the equations of a stage: at least 1e-14 and below "
