@@ -19,6 +19,11 @@ namespace ThermoContact
    * them: $Ky+sNp=r$, with pressures that their laws give at $x=x_0+cy$. A
    * system with factors shows its response to pressures, (C2.4); one without
    * takes the tangents of the laws as springs of its rows, (C2.10). Collective.
+   *
+   * Pressures that are found by the response are given to the system once more:
+   * y is no difference of responses, which would cost digits. MonolithicSolver,
+   * which does this several times a step, takes that difference and refines it
+   * where digits are lost.
    */
   template <int dim>
   class ContactPort : private InterfaceOperator
