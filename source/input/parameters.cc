@@ -573,7 +573,8 @@ namespace ThermoContact
              "step size; iterative: Krylov and multigrid without matrices, for "
              "large bodies; automatic: blocks along the rod in one dimension "
              "and one process, else iterative beyond 13000 unknowns in two "
-             "(energy conserving: 130000) and 3000 in three dimensions.");
+             "(energy conserving and fixed point: 130000) and 3000 in three "
+             "dimensions.");
     entry("Linear tolerance", linear_tolerance, NumberOrText::word("automatic"))
       .means("Residual at which the iterative solver stops, relative to the "
              "terms of the equations of a stage: at least 1e-14 and below "

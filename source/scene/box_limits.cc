@@ -58,7 +58,7 @@ namespace ThermoContact
           std::pair("Boundary/right/Spring", boundary.right.spring),
           std::pair("Boundary/right/Dashpot", boundary.right.dashpot)})
       add(value > 0.,
-          text(path, " = ", value),
+          path + std::string(" above 0"),
           default_scheme_for("that one has springs and dashpots on the left "
                              "alone"));
     add(parameters.contact.massless_nodes == "on",

@@ -421,18 +421,16 @@ namespace ThermoContact
     /**
      * Unknowns from which on iterations cost less than factors, within a factor
      * of two: 250 stages in 50 steps take some ten seconds there, measured; in
-     * two dimensions ten times as many with the scheme that conserves energy,
-     * whose steps of one size have few stages, and a response to each contact
-     * node. A number that is known before the run, and the same on every
-     * machine.
+     * two dimensions ten times as many with the scheme that conserves energy
+     * and the iteration of the paper, whose steps have one size. A number that
+     * is known before the run, and the same on every machine.
      */
     double
-    most_unknowns_of_factors(const unsigned int dim, const Scheme &scheme)
+    most_unknowns_of_factors(const unsigned int dim, const bool has_one_size)
     {
       if (dim == 3)
         return 3000.;
-      return scheme.integrator == IntegratorKind::energy_conserving ? 130000. :
-                                                                      13000.;
+      return has_one_size ? 130000. : 13000.;
     }
 
 
@@ -464,7 +462,10 @@ namespace ThermoContact
         {
           const double n_unknowns = parameters.mesh.n_nodes(dim) *
                                     fields.n_components(dim),
-                       most   = most_unknowns_of_factors(dim, scheme);
+                       most = most_unknowns_of_factors(
+                         dim,
+                         is_fixed_point || scheme.integrator ==
+                                             IntegratorKind::energy_conserving);
           result.is_iterative = n_unknowns > most;
           result.reason =
             text(significant(n_unknowns, 3),

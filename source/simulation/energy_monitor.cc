@@ -37,7 +37,8 @@ namespace ThermoContact
 
 
 
-    /** The energy that a run may create, in parts of the largest one. */
+    /** The energy that a run may create, in parts of the largest one; what
+     * residuals leave of responses to pressures is in no sum of a run. */
     double
     allowed_energy(const Scene &scene)
     {
@@ -47,9 +48,11 @@ namespace ThermoContact
         scene.scheme.can_create_energy ||
         (scene.scheme.has_no_dispersion &&
          (has_dispersion(scene) || scene.row.has_varying_rods()));
-      return can_create && !scene.parameters.time.has_error_control() ?
-               Tolerances::energy_of_fixed_steps :
-               Tolerances::energy_of_rounding;
+      return (can_create && !scene.parameters.time.has_error_control() ?
+                Tolerances::energy_of_fixed_steps :
+                Tolerances::energy_of_rounding) +
+             (scene.linear_solver.is_iterative ? scene.linear_solver.tolerance :
+                                                 0.);
     }
 
 
@@ -88,6 +91,7 @@ namespace ThermoContact
                          0.)
     , smallest(0.)
     , scale(0.)
+    , brought_in(0.)
     , n_steps(0)
     , has_warned(false)
   {}
@@ -97,9 +101,10 @@ namespace ThermoContact
   void
   EnergyMonitor::start(const EnergyTerms &terms)
   {
-    smallest = terms.sum();
-    scale    = terms.magnitude();
-    n_steps  = 0;
+    smallest   = terms.sum();
+    scale      = terms.magnitude();
+    brought_in = 0.;
+    n_steps    = 0;
   }
 
 
@@ -112,6 +117,7 @@ namespace ThermoContact
   {
     scale = std::max(scale, terms.magnitude());
     smallest += algebraic;
+    brought_in += algebraic;
     const double created = terms.sum() - smallest;
     ++n_steps;
     if (created <= 0. && !gives_back)
@@ -121,14 +127,20 @@ namespace ThermoContact
       }
     const double allowed =
       (allowed_per_run + n_steps * allowed_per_step) * scale;
-    if (!is_active || has_warned || created <= allowed)
+    const double by_residuals = Tolerances::energy_of_fixed_steps * scale;
+    if (!is_active || has_warned ||
+        (created <= allowed && brought_in <= by_residuals))
       return "";
     has_warned = true;
     const QuantityUnits units(scene.parameters);
-    return text("step ",
-                step,
-                ", t = ",
-                units.text("time", time),
+    const std::string   place =
+      text("step ", step, ", t = ", units.text("time", time));
+    if (created <= allowed)
+      return text(place,
+                  ": residuals of linear systems have brought in the energy ",
+                  units.text("energy", brought_in),
+                  "; remedy: a smaller Solver/Linear tolerance");
+    return text(place,
                 ": the scheme has created the energy ",
                 units.text("energy", created),
                 ", more than its accuracy explains (",

@@ -42,12 +42,23 @@ namespace ThermoContact
   {
     if (kept.use(size))
       return kept.front();
-    const StopWatch          watch(counters_.factorization_seconds);
-    const Material          &material = body.scene.material;
-    const double             tau      = 0.5 * size;
-    const SystemCoefficients momentum =
-      stage_coefficients(tau).of(Field::displacement);
-    Factors factors{size, nullptr, nullptr, nullptr, {}};
+    const StopWatch watch(counters_.factorization_seconds);
+    using Block                    = RodFactors<1>::Block;
+    const Material &material       = body.scene.material;
+    const double    tau            = 0.5 * size;
+    const auto      momentum_block = [&](const SystemCoefficients &c) {
+      const BlockTerms terms = block_terms(c, material, Field::displacement);
+      return Block(terms.begin(), terms.end());
+    };
+    const Block momentum = momentum_block(stage_coefficients(tau));
+    const auto &matrices = *body.equations.rod();
+    Factors     factors{size, nullptr, nullptr, nullptr, {}};
+    double      growth = 0.;
+    const auto is_held = [&](const Field::Block field, const unsigned int end) {
+      return body.discretization.are_ends_held(field)[end];
+    };
+    const RodFactors<1>::Held held{{is_held(Field::displacement, 0)}},
+      held_right{{is_held(Field::displacement, 1)}};
     if (body.scene.fields.has_temperature)
       {
         RodFactors<3>::Blocks blocks;
@@ -66,36 +77,42 @@ namespace ThermoContact
             blocks[2][i] = {{-tau * size * stress * material.thermal_stress,
                              RodMatrices::thermal_stress}};
           }
-        const BlockTerms terms =
-          block_terms(momentum, material, Field::displacement);
-        blocks[2][2].assign(terms.begin(), terms.end());
-        const auto held = [&](const unsigned int end) {
-          const bool of_heat =
-            body.discretization.are_ends_held(Field::temperature)[end];
-          return RodFactors<3>::Held{
-            {of_heat,
-             of_heat,
-             body.discretization.are_ends_held(Field::displacement)[end]}};
-        };
+        blocks[2][2]      = momentum;
         factors.with_heat = std::make_unique<const RodFactors<3>>(
-          *body.equations.rod(), blocks, held(0), held(1));
-        const double growth = factors.with_heat->growth();
-        if (!(growth <= Tolerances::tolerated_cancellation))
-          throw ComputationError(
-            text("the blocks of the matrix of a step of ",
-                 significant(size, 3),
-                 " grow by ",
-                 significant(growth, 2),
-                 ", more digits than a result may lose\n  remedy:  Time/Scheme "
-                 "= ",
-                 default_scheme().name));
+          matrices,
+          blocks,
+          RodFactors<3>::Held{{is_held(Field::temperature, 0),
+                               is_held(Field::temperature, 0),
+                               held[0]}},
+          RodFactors<3>::Held{{is_held(Field::temperature, 1),
+                               is_held(Field::temperature, 1),
+                               held_right[0]}});
+        growth = factors.with_heat->growth();
       }
     else
-      factors.alone =
-        std::make_unique<const LinearSystem<1>>(body.equations, momentum);
+      {
+        factors.alone = std::make_unique<const RodFactors<1>>(
+          matrices, RodFactors<1>::Blocks{{{{momentum}}}}, held, held_right);
+        growth = factors.alone->growth();
+      }
     if (material.has_viscosity())
-      factors.viscous = std::make_unique<const LinearSystem<1>>(
-        body.equations, SystemCoefficients{0., 0., 0., 0., 1., size});
+      {
+        factors.viscous = std::make_unique<const RodFactors<1>>(
+          matrices,
+          RodFactors<1>::Blocks{
+            {{{momentum_block({0., 0., 0., 0., 1., size})}}}},
+          held,
+          held_right);
+        growth = std::max(growth, factors.viscous->growth());
+      }
+    if (!(growth <= Tolerances::tolerated_cancellation))
+      throw ComputationError(
+        text("the blocks of the matrix of a step of ",
+             significant(size, 3),
+             " grow by ",
+             significant(growth, 2),
+             ", more digits than a result may lose\n  remedy:  Time/Scheme = ",
+             default_scheme().name));
     kept.add(std::move(factors));
     counters_.factorizations += 1 + material.has_viscosity();
     return kept.front();
@@ -116,7 +133,8 @@ namespace ThermoContact
                                  rates.temperature_rate[1].begin(),
                                  rates.velocity.begin()}});
     else
-      factors.alone->solve(rates.velocity, right.velocity);
+      factors.alone->solve({{right.velocity.begin()}},
+                           {{rates.velocity.begin()}});
   }
 
 
@@ -136,7 +154,7 @@ namespace ThermoContact
                            const Vector &right,
                            Vector       &solution)
   {
-    provide(size).viscous->solve(solution, right);
+    provide(size).viscous->solve({{right.begin()}}, {{solution.begin()}});
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/stop_watch.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/method/impact_layer.h>
@@ -13,6 +14,15 @@
 
 namespace ThermoContact
 {
+  namespace
+  {
+    /** A change by iterations whose square, which norms take, is still finite
+     * after the next one. */
+    constexpr double diverged = 1e100;
+  } // namespace
+
+
+
   template <int dim>
   FixedPointSolver<dim>::FixedPointSolver(const Body<dim> &body)
     : body(body)
@@ -180,8 +190,11 @@ namespace ThermoContact
           std::max(known_scale, tau * rates.velocity.linfty_norm());
         if (change <= tolerance * scale)
           return;
-        if (!std::isfinite(change))
-          break;
+        if (!(change < diverged))
+          {
+            change = infinity;
+            break;
+          }
       }
     rates.failure =
       describe_failure(tau, rates.n_iterations, change, last_change);

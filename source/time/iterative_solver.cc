@@ -114,8 +114,13 @@ namespace ThermoContact
   {
     if (responses.use(tau))
       return responses.front().matrix;
+    const unsigned int n_made = stage.preconditioners().n_made();
+    {
+      const StopWatch watch(counters_.solve_seconds);
+      const StopWatch watch_of_hierarchy(counters_.factorization_seconds);
+      stage.preconditioners().provide(tau);
+    }
     const StopWatch           watch(counters_.contact_seconds);
-    const unsigned int        n_made = stage.preconditioners().n_made();
     const State               at_rest(body.make_state());
     const Vector              no_heat(at_rest.temperature);
     Vector                    load(at_rest.displacement);

@@ -94,14 +94,14 @@ namespace
 
 
 
-  struct EndExchange : ObstacleAction
+  struct NodeExchange : ObstacleAction
   {
     std::vector<double> flux;
   };
 
 
 
-  EndExchange
+  NodeExchange
   start(const unsigned int n, const double k)
   {
     const std::vector<double> none(n, 0.);
@@ -114,7 +114,7 @@ namespace
   solve(const HeatExchange         &exchange,
         const EndResponse          &response,
         const std::vector<NodeLaw> &laws,
-        EndExchange                &end)
+        NodeExchange               &end)
   {
     return solve_contact_and_exchange(exchange, response, laws, end, end.flux);
   }
@@ -147,7 +147,7 @@ namespace
     const double   q = 0.5 * (10.5 - std::sqrt(44.25));
     for (const double k : {0., 0.3, 20.})
       {
-        EndExchange end = start(1, k);
+        NodeExchange end = start(1, k);
         solve(exchange, separate_nodes(1, 0.5, 3.), laws_of(*law, 1), end);
         deallog << "from k = " << k << ": open, flux "
                 << end.flux[0] / (y + 0.5) << ", pressure " << end.pressure[0]
@@ -157,7 +157,7 @@ namespace
         deallog << "; closed, flux " << end.flux[0] / q << ", pressure "
                 << end.pressure[0] / (0.5 * (3.5 - q)) << std::endl;
       }
-    EndExchange end = start(1, 0.3);
+    NodeExchange end = start(1, 0.3);
     solve(exchange,
           separate_nodes(1, 3.5, 3.),
           laws_of(*law, 1, ContactMode::open),
@@ -180,7 +180,7 @@ namespace
     const auto     law = make_law(0.);
     const Exchange exchange(
       [](const double, const double p) { return p > 0. ? 10. : 0.; });
-    EndExchange end = start(1, 0.);
+    NodeExchange end = start(1, 0.);
     solve(exchange, separate_nodes(1, 0.1, 1.), laws_of(*law, 1), end);
     deallog << "jump: k " << end.exchange_coefficient[0] << ", flux "
             << end.flux[0] << ", pressure below 1e-12 "
@@ -205,7 +205,7 @@ namespace
     response.free[1] = 0.4;
     for (const double k : {0., 1.})
       {
-        EndExchange end = start(2, k);
+        NodeExchange end = start(2, k);
         solve(exchange, response, laws_of(*law, 2), end);
         deallog << "jump of two coupled nodes from k = " << k << ": k "
                 << end.exchange_coefficient[0] * 21. / 2. << ' '
@@ -276,7 +276,7 @@ namespace
    */
   double
   violation(const EndResponse       &r,
-            const EndExchange       &end,
+            const NodeExchange      &end,
             const ContactLaw        &law,
             const HeatExchange      &exchange,
             const std::vector<bool> &is_held)
@@ -333,7 +333,7 @@ namespace
             const EndResponse response = random_response(n, random);
             for (const double k : {0., 1.})
               {
-                EndExchange          end  = start(n, k);
+                NodeExchange         end  = start(n, k);
                 std::vector<NodeLaw> laws = laws_of(*law, n);
                 for (unsigned int j = 0; j < n; ++j)
                   laws[j].is_held = is_held[j];
@@ -388,7 +388,7 @@ namespace
         EndResponse response = random_response(6, random);
         response.penetration_by_flux *= 0.1;
         const std::vector<NodeLaw> laws = laws_of(*law, 6);
-        EndExchange                end = start(6, 1.), other = end;
+        NodeExchange               end = start(6, 1.), other = end;
         ExchangeStage stage(exchange, response, laws, other.pressure);
         BodyOf        body(stage);
         try
@@ -467,7 +467,7 @@ namespace
     const auto     law = make_law(1.);
     const Exchange exchange(
       [](const double gap, const double) { return 1. - gap; });
-    EndExchange end = start(1, 1.);
+    NodeExchange end = start(1, 1.);
     try
       {
         solve(exchange,
@@ -512,7 +512,7 @@ namespace
     response.penetration_by_pressure(0, 0) = tau;
     response.penetration_by_flux(0, 0)     = tau;
     response.temperature_by_flux(0, 0)     = 0.;
-    EndExchange end                        = start(1, 1.);
+    NodeExchange end                       = start(1, 1.);
     solve(exchange, response, {node}, end);
     deallog << "damped, short stage: flux " << end.flux[0]
             << ", pressure to 1e-13 "

@@ -305,7 +305,7 @@ namespace ThermoContact
              z <= width;
     }
 
-    /** The coordinates of places for which that is so. */
+    /** The range of the coordinates of places in the body, for messages. */
     std::string
     limits_of_places(const unsigned int dim) const;
   };

@@ -14,8 +14,9 @@ namespace ThermoContact
    * Monitors the energy of a run without loads, which physics never lets grow
    * (M2.3). A scheme may let it grow by what its errors explain: rounding for
    * schemes that cannot create energy, the tolerance of each step with
-   * error-controlled steps, a thousandth with fixed steps of the other schemes.
-   * Arithmetic only.
+   * error-controlled steps, a thousandth with fixed steps of the other schemes;
+   * iterations of linear systems a thousandth by their residuals. Arithmetic
+   * only.
    */
   class EnergyMonitor
   {
@@ -36,8 +37,8 @@ namespace ThermoContact
      *
      * @param algebraic energy that residuals have brought in in the step, which
      *   the scheme has not created
-     * @return a warning with the step and the remedy at the first step that has
-     *   created energy, else nothing
+     * @return a warning with the step and the remedy at the first step after
+     *   which there is more energy than that, else nothing
      */
     std::string
     add(const unsigned int step,
@@ -50,7 +51,7 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &smallest &scale &n_steps &has_warned;
+      archive &smallest &scale &brought_in &n_steps &has_warned;
     }
 
   private:
@@ -64,6 +65,7 @@ namespace ThermoContact
     const double allowed_per_step; ///< likewise
     double       smallest;         ///< energy so far
     double       scale;            ///< largest sum of absolute terms so far
+    double       brought_in;       ///< by residuals so far
     unsigned int n_steps;          ///< since the smallest
     bool         has_warned;
   };

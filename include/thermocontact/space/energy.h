@@ -195,17 +195,18 @@ namespace ThermoContact
     EnergyTerms
     common(const EnergyTerms &terms) const;
 
-    /** $\frac12\|\theta\|^2$, of a difference if there is what to subtract. */
+    /** $\frac12\|\theta\|^2$ of a temperature, less another one if given. */
     double
     thermal_energy(const Vector &temperature,
                    const Vector *subtracted = nullptr) const;
 
-    /** $\frac12(C\varepsilon(u),\varepsilon(u))$, likewise. */
+    /** $\frac12(C\varepsilon(u),\varepsilon(u))$ of a displacement, less
+     * another one if given. */
     double
     elastic_energy(const Vector &displacement,
                    const Vector *subtracted = nullptr) const;
 
-    /** $\frac b2\|v\|^2$, likewise. */
+    /** $\frac b2\|v\|^2$ of a velocity, less another one if given. */
     double
     kinetic_energy(const Vector &velocity,
                    const Vector *subtracted = nullptr) const;

@@ -27,8 +27,8 @@ namespace ThermoContact
   public:
     virtual ~Preconditioner() = default;
 
-    /** Of the blocks of a stage of this length, anew, as in a run that is
-     * resumed; without springs. */
+    /** Makes the preconditioners of the blocks of a stage of this length anew,
+     * without springs, as in a run that is resumed. */
     virtual void
     make(const double tau) = 0;
 

@@ -6,7 +6,6 @@
 #include <thermocontact/base/recently_used.h>
 #include <thermocontact/rod/rod_factors.h>
 #include <thermocontact/space/body.h>
-#include <thermocontact/space/linear_system.h>
 #include <thermocontact/time/stage_solver.h>
 
 #include <array>
@@ -113,10 +112,10 @@ namespace ThermoContact
 
     struct Factors
     {
-      double                                 tau; ///< size of the step
-      std::unique_ptr<const RodFactors<3>>   with_heat;
-      std::unique_ptr<const LinearSystem<1>> alone;
-      std::unique_ptr<const LinearSystem<1>> viscous;
+      double                               tau; ///< size of the step
+      std::unique_ptr<const RodFactors<3>> with_heat;
+      std::unique_ptr<const RodFactors<1>> alone;
+      std::unique_ptr<const RodFactors<1>> viscous;
 
       /** Contact by contact to a unit pressure, to a unit flux in each stage;
        * empty: unknown. */

@@ -65,8 +65,8 @@ namespace ThermoContact
     void
     prepare_pressures();
 
-    /** Pressures act on the contact nodes, which are open, beside other loads.
-     */
+    /** Adds pressures on the contact nodes, which are open, to the loads of the
+     * stage: forces() and unsolved() have them from now on. */
     void
     push(const std::vector<double> &pressure);
 
@@ -129,7 +129,7 @@ namespace ThermoContact
       return solution.block(Field::displacement);
     }
 
-    /** Right-hand side of its rows, without contact. */
+    /** Right-hand side of its rows, without springs. */
     const Vector &
     forces() const
     {
@@ -175,7 +175,7 @@ namespace ThermoContact
     std::vector<double> conductance;        ///< $\tau wk$; empty: none
     std::vector<double> excess_temperature; ///< of nodes at the beginning
     double              load_time = 0.;     ///< of the stage
-    BlockVector         rhs;                ///< without contact
+    BlockVector         rhs;                ///< without springs
     BlockVector         solution;           ///< $(\tau\theta',v)$
 
     typename LinearSystem<dim>::Weights measure; ///< of the residuals

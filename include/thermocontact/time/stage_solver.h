@@ -77,7 +77,7 @@ namespace ThermoContact
     double solve_seconds         = 0.; ///< with factorisations
     double contact_seconds       = 0.; ///< pressures and responses
 
-    /** Of a Krylov method for one system of a stage. */
+    /** Counts the iterations of a Krylov method for one system of a stage. */
     void
     count_iterations(const unsigned int n)
     {
@@ -201,8 +201,8 @@ namespace ThermoContact
     }
 
     /**
-     * Adds the response to @p rates.contact.pressure to the rates of the stage that was
-     * solved last, which was open.
+     * Adds the response to the pressures of @p rates to the rates of the stage
+     * that was solved last, which was open.
      */
     virtual void
     apply_pressure(StageRates & /*rates*/)
