@@ -18,7 +18,7 @@ namespace ThermoContact
     constexpr double bytes_of_process   = 1.7e8;
     // Per unknown, without what grows with the degree.
     constexpr double bytes_by_iteration = 600.;
-    // Of all contact nodes, in a step that conserves energy.
+    // Dense matrices of the contact nodes in a step that conserves energy.
     constexpr double n_dense_matrices = 10.;
 
 
@@ -68,8 +68,8 @@ namespace ThermoContact
 
 
 
-    /** Contact nodes with a response each, as the direct solver has them; the
-     * iterative one for a scheme that needs them. */
+    /** Number of responses to the contact nodes: the direct solver has one for
+     * each node, the iterative solver for a scheme that needs them. */
     double
     n_responses(const Scene &scene)
     {

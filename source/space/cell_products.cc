@@ -504,7 +504,9 @@ namespace ThermoContact
   {
     if (!has_elastic_contact_nodes)
       return;
-    LevelVector<Number> extended(x), product(x);
+    LevelVector<Number> &extended = extended_scratch;
+    LevelVector<Number> &product  = pushed_scratch;
+    extended                      = x;
     extended.update_ghost_values();
     for (const Entry &entry : extension)
       extended.begin()[entry.row] = 0.;
@@ -626,7 +628,11 @@ namespace ThermoContact
         }
     collect_faces(scene);
     if (has_elastic_contact_nodes)
-      collect_extension();
+      {
+        collect_extension();
+        extended_scratch = pushed_scratch =
+          fields[Field::displacement].prototype;
+      }
     const LevelGrid<dim> grid(scene.parameters.mesh);
     std::array<std::vector<unsigned int>, 2>
       entries; // of their first component

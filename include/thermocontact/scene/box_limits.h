@@ -13,7 +13,7 @@ namespace ThermoContact
   /** An entry that stands against the scheme without dispersion. */
   struct BoxLimit
   {
-    std::string entry; ///< with its value
+    std::string entry; ///< path and value, or the range of the value
 
     /** What to write instead; empty: the scheme can have the entry, but is not
      * chosen beside it. */

@@ -181,6 +181,9 @@ namespace ThermoContact
 
     mutable AlignedVector<Number> scratch;
 
+    /** $\Pi x$ and $S\Pi x$. */
+    mutable LevelVector<Number> extended_scratch, pushed_scratch;
+
     /** Of a degree of freedom of the whole system in the local part. */
     unsigned int
     position(const Field::Block field, const types::global_dof_index dof) const
@@ -306,7 +309,8 @@ namespace ThermoContact
 
 
 
-  /** Of a body; null for a rod. Both references are borrowed. */
+  /** Makes the products of a body; null for a rod. Both references are
+   * borrowed. */
   template <int dim>
   std::unique_ptr<const CellProducts<dim, double>>
   make_cell_products(const Scene               &scene,

@@ -43,7 +43,7 @@ namespace ThermoContact
     virtual unsigned int
     n_made() const = 0;
 
-    /** The coarsest level, of one field. */
+    /** Unknowns of the coarsest level of the larger field. */
     virtual types::global_dof_index
     n_factorized_unknowns() const = 0;
   };

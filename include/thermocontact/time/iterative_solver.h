@@ -43,7 +43,7 @@ namespace ThermoContact
       return "iterative";
     }
 
-    /** By a stage for each contact node. */
+    /** Solves a stage for each contact node. */
     const FullMatrix<double> &
     response(const double tau) override;
 
@@ -86,9 +86,10 @@ namespace ThermoContact
     RecentlyUsed<Response> responses;
 
     /**
-     * The rates of the stage that was solved last, and (D8.5).
+     * Sets the rates of the stage that was solved last and the power of its
+     * residuals, (D8.5).
      *
-     * @param pressure beside the loads of the stage
+     * @param pressure on the contact nodes that the loads of the stage lack
      */
     void
     set_rates(const std::vector<double> &pressure, StageRates &rates) const;
