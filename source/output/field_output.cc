@@ -7,7 +7,7 @@
 #include <thermocontact/output/contact_face_file.h>
 #include <thermocontact/output/field_output.h>
 #include <thermocontact/output/vtu_cells.h>
-#include <thermocontact/space/shown_velocity.h>
+#include <thermocontact/space/shown_fields.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -24,7 +24,7 @@ namespace ThermoContact
      * part of a VTU file, without header and footer: pieces of some cells each,
      * since patches need several times the memory of the fields. Cells of
      * degree p are cut into p parts along each direction, or are Lagrange
-     * cells. The stress is that of stress_of(), if dim > 1 a tensor in space.
+     * cells. If dim > 1 the stress is a tensor in space.
      *
      * @param cycle number of the snapshot
      */
@@ -35,10 +35,9 @@ namespace ThermoContact
                     const unsigned int cycle,
                     const OutputUnits &units)
     {
-      const Discretization<dim> &space    = body.discretization;
-      const SceneFields         &fields   = body.scene.fields;
-      const Material            &material = body.scene.material;
-      constexpr unsigned int     n_rows   = dim == 1 ? 1 : 3; // of the stress
+      const Discretization<dim> &space  = body.discretization;
+      const SceneFields         &fields = body.scene.fields;
+      constexpr unsigned int     n_rows = dim == 1 ? 1 : 3; // of the stress
 
       std::vector<std::string> names(fields.has_temperature, "temperature");
       const unsigned int       first = names.size();
@@ -61,12 +60,7 @@ namespace ThermoContact
             cells.join(first + 2 * dim, names.size() - 1);
         }
 
-      Vector        memory;
-      const Vector &velocity_field = shown_velocity(body.scene, state, memory);
-      const auto    present =
-        space.with_ghosts(state.temperature, state.displacement);
-      const auto moving = space.with_ghosts(state.temperature, velocity_field);
-
+      const ShownFields<dim>      shown(body.scene, space, state);
       const unsigned int          degree = space.degree();
       FEValues<dim>               values(space.mapping(),
                            space.finite_element(),
@@ -74,13 +68,11 @@ namespace ThermoContact
                            update_values | update_gradients |
                              update_quadrature_points);
       const unsigned int          n_points = values.n_quadrature_points;
-      std::vector<double>         temperature(n_points);
+      std::vector<double>         temperature(n_points); // or zeros
       std::vector<Tensor<1, dim>> displacement(n_points), velocity(n_points);
+      std::vector<Tensor<2, dim>> gradient(n_points), gradient_rate(n_points);
+      std::vector<SymmetricTensor<2, 3>> stress(n_points);
 
-      // gradients of displacement and velocity
-      std::vector<Tensor<2, dim>>  elastic(n_points), rate(n_points);
-      std::vector<RodCoefficients> equations(n_points), materials(n_points);
-      std::vector<Elasticity>      elasticities(n_points);
       const auto component = [&](unsigned int row, const unsigned int point) {
         if (row < first)
           return temperature[point];
@@ -88,24 +80,8 @@ namespace ThermoContact
         if (row < 2 * dim)
           return row < dim ? displacement[point][row] :
                              velocity[point][row - dim];
-        const unsigned int d = (row - 2 * dim) / n_rows,
-                           e = (row - 2 * dim) % n_rows;
-        const auto stress    = [&](const Tensor<2, dim> &of_gradient,
-                                const Tensor<1, dim> &of_value) {
-          return elastic_stress(elasticities[point],
-                                space.geometry().strain(of_gradient,
-                                                        of_value,
-                                                        values.quadrature_point(
-                                                          point)),
-                                d,
-                                e);
-        };
-        return stress_of(material,
-                         equations[point],
-                         d == e ? temperature[point] : 0.,
-                         stress(elastic[point], displacement[point]),
-                         stress(rate[point], velocity[point])) /
-               materials[point].section;
+        row -= 2 * dim;
+        return stress[point][row / n_rows][row % n_rows];
       };
 
       constexpr double         max_points = 50000.;
@@ -117,24 +93,33 @@ namespace ThermoContact
             values.reinit(cell);
             if (fields.has_temperature)
               values[space.temperature_extractor()].get_function_values(
-                present, temperature);
+                shown.values(), temperature);
             if (fields.has_displacement)
               {
                 const auto &of_fields = values[space.displacement_extractor()];
-                of_fields.get_function_values(present, displacement);
-                of_fields.get_function_values(moving, velocity);
-                of_fields.get_function_gradients(present, elastic);
-                of_fields.get_function_gradients(moving, rate);
+                of_fields.get_function_values(shown.values(), displacement);
+                of_fields.get_function_values(shown.velocities(), velocity);
+                of_fields.get_function_gradients(shown.values(), gradient);
+                of_fields.get_function_gradients(shown.velocities(),
+                                                 gradient_rate);
                 for (unsigned int q = 0; q < n_points; ++q)
                   {
-                    const Point<dim> &place = values.quadrature_point(q);
-                    equations[q]            = space.in_equations(cell,
-                                                      place,
-                                                      fields.has_temperature ?
-                                                                   temperature[q] :
-                                                                   0.);
-                    materials[q]            = space.of_material(cell, place);
-                    elasticities[q]         = space.elasticity(cell, place);
+                    const Point<dim> &place     = values.quadrature_point(q);
+                    const Elasticity elasticity = space.elasticity(cell, place);
+                    const auto elastic = [&](const Tensor<2, dim> &of_gradient,
+                                             const Tensor<1, dim> &of_value) {
+                      return elastic_stress(elasticity,
+                                            space.geometry().strain(of_gradient,
+                                                                    of_value,
+                                                                    place));
+                    };
+                    stress[q] =
+                      shown.stress(cell,
+                                   place,
+                                   temperature[q],
+                                   temperature[q] * unit_symmetric_tensor<3>(),
+                                   elastic(gradient[q], displacement[q]),
+                                   elastic(gradient_rate[q], velocity[q]));
                   }
               }
             const double length = units.of("position").factor;

@@ -488,8 +488,7 @@ namespace ThermoContact
                 std::optional<BodyProfile>(parameters) :
                 std::nullopt)
     , obstacle_mass(resolve_obstacle_mass(parameters, fields))
-    , geometry(ThermoContact::geometry(parameters.mesh.geometry)
-                 .make(parameters.dimension, parameters.mesh.width))
+    , geometry(parameters.mesh.make_geometry(parameters.dimension))
     , material(resolve_material(parameters.model, parameters.boundary, fields))
     , gap_expression(read_expression(parameters,
                                      "Contact/Gap",

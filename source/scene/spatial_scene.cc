@@ -41,37 +41,7 @@ namespace ThermoContact
 
   namespace
   {
-    // All members of each record by letters: a binding that leaves one out does
-    // not compile.
-
-    auto
-    members(const MeshParameters &mesh)
-    {
-      const auto &[a, b, c, d, e, f, g, h, i, j] = mesh;
-      return std::tie(a, b, c, d, e, f, g, h, i, j);
-    }
-
-    auto
-    members(const SceneFields &fields)
-    {
-      const auto &[a, b] = fields;
-      return std::tie(a, b);
-    }
-
-    auto
-    members(const Material &material)
-    {
-      const auto &[a, b, c, d, e, f, g] = material;
-      return std::tie(a, b, c, d, e, f, g);
-    }
-
-    auto
-    members(const BoundaryParameters::Attached &end)
-    {
-      const auto &[a, b, c] = end;
-      return std::tie(a, b, c);
-    }
-
+    // as Material::members()
     auto
     members(const SpatialScene &all)
     {
@@ -103,8 +73,12 @@ namespace ThermoContact
                    z] = all;
       const auto others =
         std::tie(d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, x, y, z);
-      return std::tuple_cat(
-        members(a), members(b), members(c), members(v), members(w), others);
+      return std::tuple_cat(a.members(),
+                            b.members(),
+                            c.members(),
+                            v.members(),
+                            w.members(),
+                            others);
     }
   } // namespace
 

@@ -191,16 +191,14 @@ namespace ThermoContact
   Vector
   Reset<dim>::forces_of_laws(const State &state, const Vector *velocity) const
   {
-    Vector       forces = body.discretization.make_vector(Field::displacement);
-    Vector       unused = body.discretization.make_vector(Field::temperature);
-    const Vector none;
-    if (body.nonlinear)
-      body.nonlinear->subtract({state.temperature,
-                                none,
-                                state.displacement,
-                                velocity != nullptr ? *velocity : none},
-                               unused,
-                               forces);
+    Vector forces = body.discretization.make_vector(Field::displacement);
+    if (!body.nonlinear)
+      return forces;
+    Vector unused = body.discretization.make_vector(Field::temperature);
+    Rates  rates;
+    if (velocity != nullptr)
+      rates.velocity = *velocity;
+    body.nonlinear->subtract(state, rates, unused, forces);
     return forces;
   }
 

@@ -477,24 +477,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  RodCoefficients
-  Discretization<dim>::beyond_zero(const Cell       &cell,
-                                   const Point<dim> &place,
-                                   const double      theta) const
-  {
-    Assert(has_bodies(), ExcInternalError());
-    RodCoefficients       beyond  = of_material(cell, place, theta);
-    const RodCoefficients at_zero = of_material(cell, place);
-    if (row_.is_given())
-      return row_.beyond_zero(cell->active_cell_index(), {beyond, {}}, at_zero)
-        .value;
-    beyond -= at_zero;
-    return beyond;
-  }
-
-
-
-  template <int dim>
   std::array<double, 3>
   Discretization<dim>::inside(const Cell &cell, const Point<dim> &place) const
   {

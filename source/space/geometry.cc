@@ -9,7 +9,7 @@ namespace ThermoContact
 {
   template <int dim>
   Geometry<dim>::Geometry(const SpatialScene &scene)
-    : body(geometry(scene.mesh.geometry).make(dim, scene.mesh.width))
+    : body(scene.mesh.make_geometry(dim))
     , has_rollers(scene.has_rollers)
     , has_symmetry(scene.has_symmetry)
     , length(scene.row.length())

@@ -138,16 +138,17 @@ namespace ThermoContact
 
   template <int dim>
   void
-  NonlinearBody<dim>::visit(const Instant &instant,
+  NonlinearBody<dim>::visit(const State   &state,
+                            const Rates   &rates,
                             const AtPoint &at_mass,
                             const AtPoint &at_rest,
                             const AtCell  &at_cell) const
   {
-    const BlockVector values = discretization.with_ghosts(instant.temperature,
-                                                          instant.displacement),
-                      rates =
-                        discretization.with_ghosts(instant.temperature_rate,
-                                                   instant.velocity);
+    const BlockVector values = discretization.with_ghosts(state.temperature,
+                                                          state.displacement),
+                      rate_values =
+                        discretization.with_ghosts(rates.temperature_rate,
+                                                   rates.velocity);
     const unsigned int n = discretization.finite_element().dofs_per_cell;
     std::vector<types::global_dof_index> dofs(n);
     std::vector<double>                  value(n), rate(n);
@@ -158,7 +159,7 @@ namespace ThermoContact
       for (unsigned int i = 0; i < n; ++i)
         {
           value[i] = values(dofs[i]);
-          rate[i]  = rates(dofs[i]);
+          rate[i]  = rate_values(dofs[i]);
         }
       for (const auto &[rule, at] : {std::pair(&rules->mass, &at_mass),
                                      std::pair(&rules->rest, &at_rest)})
@@ -283,13 +284,15 @@ namespace ThermoContact
 
   template <int dim>
   void
-  NonlinearBody<dim>::subtract(const Instant &instant,
-                               Vector        &heat,
-                               Vector        &momentum) const
+  NonlinearBody<dim>::subtract(const State &state,
+                               const Rates &rates,
+                               Vector      &heat,
+                               Vector      &momentum) const
   {
     Residual residual(discretization);
     visit(
-      instant,
+      state,
+      rates,
       [&](const Point &at) { add_mass_residual(at, residual.of_cell); },
       [&](const Point &at) { add_residual(at, residual.of_cell); },
       [&](const Cell &cell) { residual.take(cell); });
@@ -300,12 +303,13 @@ namespace ThermoContact
 
   template <int dim>
   std::unique_ptr<const typename NonlinearBody<dim>::Operator>
-  NonlinearBody<dim>::linearize(const Instant &instant,
-                                Vector        &heat,
-                                Vector        &momentum) const
+  NonlinearBody<dim>::linearize(const State &state,
+                                const Rates &rates,
+                                Vector      &heat,
+                                Vector      &momentum) const
   {
     Residual residual(discretization);
-    auto     tangents = operator_at(instant, true, &residual);
+    auto     tangents = operator_at(state, rates, true, &residual);
     residual.subtract_from(heat, momentum);
     return tangents;
   }
@@ -316,15 +320,17 @@ namespace ThermoContact
   std::unique_ptr<const typename NonlinearBody<dim>::Operator>
   NonlinearBody<dim>::at(const Vector &temperature) const
   {
-    const Vector none;
-    return operator_at({temperature, none, none, none}, false, nullptr);
+    State state;
+    state.temperature = temperature;
+    return operator_at(state, Rates(), false, nullptr);
   }
 
 
 
   template <int dim>
   std::unique_ptr<const typename NonlinearBody<dim>::Operator>
-  NonlinearBody<dim>::operator_at(const Instant  &instant,
+  NonlinearBody<dim>::operator_at(const State    &state,
+                                  const Rates    &rates,
                                   const bool      with_slopes,
                                   Residual *const residual) const
   {
@@ -392,7 +398,7 @@ namespace ThermoContact
     using Add = typename FieldMatrices<dim>::AddPart;
     return std::make_unique<const Operator>(
       equations, equations.matrices()->with([&](const Add &add) {
-        visit(instant, at_mass, at_rest, [&](const Cell &cell) {
+        visit(state, rates, at_mass, at_rest, [&](const Cell &cell) {
           if (residual != nullptr)
             residual->take(cell);
           add(FieldMatrix::heat_mass, cell, mass);

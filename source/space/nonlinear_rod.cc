@@ -70,11 +70,12 @@ namespace ThermoContact
 
   template <typename AtMass, typename AtRest>
   void
-  NonlinearRod::visit(const Cell    &cell,
-                      const Instant &instant,
-                      const bool     with_slopes,
-                      const AtMass  &at_mass,
-                      const AtRest  &at_rest) const
+  NonlinearRod::visit(const Cell   &cell,
+                      const State  &state,
+                      const Rates  &rates,
+                      const bool    with_slopes,
+                      const AtMass &at_mass,
+                      const AtRest &at_rest) const
   {
     const RodLayout &layout = matrices.layout();
     const auto       sum    = [&](const std::vector<double> &basis,
@@ -92,11 +93,11 @@ namespace ThermoContact
         {
           const Point &point = all[q];
           const double x     = cell.begin + point.place * cell.size;
-          const Local  local{sum(point.value, instant.temperature),
-                            sum(point.slope, instant.temperature) / cell.size,
-                            sum(point.value, instant.temperature_rate),
-                            sum(point.slope, instant.displacement) / cell.size,
-                            sum(point.slope, instant.velocity) / cell.size};
+          const Local  local{sum(point.value, state.temperature),
+                            sum(point.slope, state.temperature) / cell.size,
+                            sum(point.value, rates.temperature_rate),
+                            sum(point.slope, state.displacement) / cell.size,
+                            sum(point.slope, rates.velocity) / cell.size};
           const auto   now =
             with_slopes ?
                 cell.profile->tangents(x, local.theta) :
@@ -114,15 +115,17 @@ namespace ThermoContact
 
 
   void
-  NonlinearRod::subtract(const Instant &instant,
-                         Vector        &heat,
-                         Vector        &momentum) const
+  NonlinearRod::subtract(const State &state,
+                         const Rates &rates,
+                         Vector      &heat,
+                         Vector      &momentum) const
   {
     const RodLayout &layout = matrices.layout();
     for (const Cell &cell : cells)
       visit(
         cell,
-        instant,
+        state,
+        rates,
         false,
         [&](const Point       &point,
             const double       weight,
@@ -161,15 +164,17 @@ namespace ThermoContact
   std::unique_ptr<const NonlinearRod::Operator>
   NonlinearRod::at(const Vector &temperature) const
   {
-    const Vector none;
-    return operator_at({temperature, none, none, none}, false);
+    State state;
+    state.temperature = temperature;
+    return operator_at(state, Rates(), false);
   }
 
 
 
   std::unique_ptr<const NonlinearRod::Operator>
-  NonlinearRod::operator_at(const Instant &instant,
-                            const bool     with_slopes) const
+  NonlinearRod::operator_at(const State &state,
+                            const Rates &rates,
+                            const bool   with_slopes) const
   {
     using Matrix               = RodMatrices::Matrix;
     const RodLayout    &layout = matrices.layout();
@@ -198,7 +203,8 @@ namespace ThermoContact
         };
         visit(
           cell,
-          instant,
+          state,
+          rates,
           with_slopes,
           [&](const Point       &point,
               const double       weight,

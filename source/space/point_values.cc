@@ -4,9 +4,8 @@
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/cell_shape.h>
-#include <thermocontact/space/nonlinear_terms.h>
 #include <thermocontact/space/point_values.h>
-#include <thermocontact/space/shown_velocity.h>
+#include <thermocontact/space/shown_fields.h>
 
 #include <algorithm>
 #include <map>
@@ -114,13 +113,7 @@ namespace ThermoContact
   {
     visit_cells(places, [&](const Cell &cell, const unsigned int place) {
       const Point<dim> &position = places[place].position;
-      LawPlace          one{place,
-                   cell,
-                   position,
-                   1. / (n_cells[place] *
-                         discretization.of_material(cell, position).section),
-                   {},
-                   {}};
+      LawPlace          one{place, cell, position, 1. / n_cells[place], {}, {}};
       for (const BasisAt &f : basis_at(cell, position))
         {
           one.value.push_back(f.theta);
@@ -134,15 +127,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  PointValues<dim>::add_stress_of_laws(const State  &state,
-                                       const Vector &velocity)
+  PointValues<dim>::add_stress_of_laws(const State &state)
   {
-    if (!scene.sources.has_laws || !scene.fields.has_displacement)
-      return;
-    const BlockVector present =
-      discretization.with_ghosts(state.temperature, state.displacement);
-    const BlockVector moving =
-      discretization.with_ghosts(state.temperature, velocity);
+    const ShownFields<dim>               shown(scene, discretization, state);
     std::vector<types::global_dof_index> dofs(
       discretization.finite_element().dofs_per_cell);
     for (const LawPlace &one : law_places)
@@ -151,18 +138,36 @@ namespace ThermoContact
         double theta = 0., elastic = 0., of_rate = 0.;
         for (unsigned int i = 0; i < dofs.size(); ++i)
           {
-            theta += one.value[i] * present(dofs[i]);
-            elastic += one.stress[i] * present(dofs[i]);
-            of_rate += one.stress[i] * moving(dofs[i]);
+            theta += one.value[i] * shown.values()(dofs[i]);
+            elastic += one.stress[i] * shown.values()(dofs[i]);
+            of_rate += one.stress[i] * shown.velocities()(dofs[i]);
           }
         values[stress * n_places + one.place] +=
           one.weight *
-          stress_of(scene.material,
-                    discretization.beyond_zero(one.cell, one.position, theta),
-                    theta,
-                    elastic,
-                    of_rate);
+          shown.stress(one.cell, one.position, theta, theta, elastic, of_rate);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::add_linear_stress(const State  &state,
+                                      const Vector &velocity)
+  {
+    add_values(strain_form, state.displacement, 1., stress);
+    const Material &material   = scene.material;
+    const bool      has_bodies = discretization.has_bodies();
+    if (material.has_viscosity())
+      add_values(has_bodies ? viscous_form : strain_form,
+                 velocity,
+                 material.viscosity,
+                 stress);
+    if (material.has_thermal_stress())
+      add_values(has_bodies ? thermal_form : temperature_form,
+                 state.temperature,
+                 -material.thermal_stress,
+                 stress);
   }
 
 
@@ -223,19 +228,13 @@ namespace ThermoContact
         const unsigned int d = component - first;
         if (d == 0)
           all[i].displacement = rounded(value);
-        Tensor<1, dim> unit_gradient = base.shape_grad(node, unit_point);
-        for (unsigned int e = 0; e < dim; ++e)
-          if (std::abs(unit_gradient[e]) <= Tolerances::rounding_of_solution)
-            unit_gradient[e] = 0.;
         Tensor<1, dim> values;
         Tensor<2, dim> gradient;
         values[d]     = value;
-        gradient[d]   = shape.gradient(unit_gradient);
+        gradient[d]   = shape.gradient(base, node, unit_point);
         all[i].stress = elastic_stress(
           elasticity,
-          discretization.geometry().strain(gradient, values, position),
-          0,
-          0);
+          discretization.geometry().strain(gradient, values, position))[0][0];
       }
     return all;
   }
@@ -308,20 +307,10 @@ namespace ThermoContact
     add_values(displacement_form, state.displacement, 1., displacement);
     const Vector &v = shown_velocity(scene, state, velocity_memory);
     add_values(displacement_form, v, 1., velocity);
-    add_values(strain_form, state.displacement, 1., stress);
-    const Material &material   = scene.material;
-    const bool      has_bodies = discretization.has_bodies();
-    if (material.has_viscosity())
-      add_values(has_bodies ? viscous_form : strain_form,
-                 v,
-                 material.viscosity,
-                 stress);
-    if (material.has_thermal_stress())
-      add_values(has_bodies ? thermal_form : temperature_form,
-                 state.temperature,
-                 -material.thermal_stress,
-                 stress);
-    add_stress_of_laws(state, v);
+    if (scene.sources.has_laws && scene.fields.has_displacement)
+      add_stress_of_laws(state);
+    else
+      add_linear_stress(state, v);
     if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
       Utilities::MPI::sum(values, discretization.communicator(), values);
 
@@ -330,7 +319,7 @@ namespace ThermoContact
     for (const Quantity quantity : {displacement, velocity, stress})
       if (!scene.fields.has_displacement)
         set_absent(quantity);
-    if (material.is_static() && state.was_moved_at_once())
+    if (scene.material.is_static() && state.was_moved_at_once())
       set_absent(velocity);
     return values;
   }

@@ -37,11 +37,7 @@ namespace ThermoContact
     , momentum_load(body.discretization.make_vector(Field::displacement))
   {
     for (StageRates &stage : stages)
-      {
-        stage.temperature_rate = heat_load;
-        stage.velocity         = momentum_load;
-        stage.acceleration     = momentum_load;
-      }
+      known.set_layout(stage);
   }
 
 
@@ -110,8 +106,7 @@ namespace ThermoContact
   DirkIntegrator<dim>::advance(const unsigned int i, const double tau)
   {
     StageRates &stage = stages[i];
-    set_sum(known.temperature, known.temperature, tau, stage.temperature_rate);
-    set_sum(known.displacement, known.displacement, tau, stage.velocity);
+    known.advance(known, tau, stage);
     // the known values of a driven end are those of its stage already
     driven.complete(i, stage);
     set_equal(known.velocity, stage.velocity);

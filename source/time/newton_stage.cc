@@ -39,8 +39,7 @@ namespace ThermoContact
                             const State           &known,
                             const StageRates      &stage)
   {
-    set_sum(end.temperature, known.temperature, tau, stage.temperature_rate);
-    set_sum(end.displacement, known.displacement, tau, stage.velocity);
+    end.advance(known, tau, stage);
     // the known values of a driven end are those at the end of the stage
     full = stage;
     driven.complete(i, full);
@@ -52,11 +51,7 @@ namespace ThermoContact
   void
   NewtonStage<dim>::linearize(const double tau, const StageRates &stage)
   {
-    const typename NonlinearTerms<dim>::Instant at{end.temperature,
-                                                   full.temperature_rate,
-                                                   end.displacement,
-                                                   full.velocity};
-    auto       tangents    = body.nonlinear->linearize(at, heat, momentum);
+    auto       tangents = body.nonlinear->linearize(end, full, heat, momentum);
     const auto add_product = [&](const double                           sign,
                                  const ThermoviscoelasticOperator<dim> &by) {
       by.product(stage_coefficients(tau),
@@ -157,12 +152,7 @@ namespace ThermoContact
                 Tolerances::rounding_of_sum)
               {
                 set_end(i, tau, driven, known, stage);
-                body.nonlinear->subtract({end.temperature,
-                                          full.temperature_rate,
-                                          end.displacement,
-                                          full.velocity},
-                                         heat_load,
-                                         momentum_load);
+                body.nonlinear->subtract(end, full, heat_load, momentum_load);
                 return;
               }
             last_change = now;

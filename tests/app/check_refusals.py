@@ -123,6 +123,10 @@ SCENES = [
      "Boundary/left/Displacement=0.1*cos(t)-0.1"),
     ("Boundary/left/Displacement", (), "Boundary/left/Displacement=1",
      "Boundary/left/Displacement=0"),
+    # beside its size up to the end time, not behind
+    ("Boundary/left/Displacement", ("Time/End time=1",),
+     "Boundary/left/Displacement=1e-9+if(t>1,1e9*(t-1),0.1*t)",
+     "Boundary/left/Displacement=if(t>1,1e9*(t-1),0.1*t)"),
     ("Boundary/left/Displacement", ("Time/End time=1",),
      "Boundary/left/Displacement=if(t<0.5,0,1)",
      "Boundary/left/Displacement=if(t<0.5,0,t-0.5)"),
@@ -478,8 +482,30 @@ def has_value(message, scene, entry):
     return not all(numbers) or float(numbers[0][0]) == float(numbers[1][0])
 
 
+def default_values():
+    """Of the entries, by their paths."""
+    page = run("--print-parameters=markdown")[1]
+    section, values = "", {}
+    for line in page.splitlines():
+        if line.startswith("## "):
+            section = "" if line == "## General" else line[3:] + "/"
+        elif match := re.match(r"\| `([^`]+)` \| `([^`]*)` \|", line):
+            values[section + match[1]] = match[2]
+    return values
+
+
+def has_reason(message, scene, defaults):
+    """An entry that is the reason of a refusal is told as it was given."""
+    told = re.search(r", since ((?:[A-Z][\w ]*/)?[\w/ ]+) = (.*)$", message, re.MULTILINE)
+    if not told or told[1] not in defaults:
+        return True
+    given = next((o.partition("=")[2] for o in reversed(scene) if o.startswith(told[1] + "=")),
+                 defaults[told[1]])
+    return given == "automatic" or told[2].lstrip('"').startswith(given)
+
+
 def main():
-    asked = []
+    asked, defaults = [], default_values()
     for entry, shared, refused, *accepted in SCENES + CONTACT_SCENES + BODY_SCENES + ROW_SCENES:
         asked.append((entry, shared + overrides(refused), 2))
         asked += [(entry, shared + overrides(neighbour), 0)
@@ -494,7 +520,8 @@ def main():
     for entry, scene, expected in asked:
         status, message = answers[scene]
         if status != expected or (expected == 2 and not (
-                begins_with(message, entry) and has_value(message, scene, entry))):
+                begins_with(message, entry) and has_value(message, scene, entry)
+                and has_reason(message, scene, defaults))):
             faults.append(f"{' '.join(scene)}: status {status} {message[:90]!r},"
                           f" expected {expected} for {entry}")
     print("refused with the entry named and accepted beside it:",

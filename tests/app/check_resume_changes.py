@@ -148,6 +148,23 @@ def without_space_time(reference, prm):
     shutil.rmtree(resumed)
 
 
+def without_fields(prm):
+    """Snapshots behind a checkpoint without any, by a run that was killed, are not those
+    of the run that goes on from the checkpoint without them."""
+    directory = Path("without-fields")
+    status = [run(directory, prm, "--set", "Output/Fields interval=0")[0]]
+    checkpoint = (directory / "checkpoint.bin").read_bytes()
+    for end, interval in ((1.25, 0.25), (1.5, 0)):
+        (directory / "checkpoint.bin").write_bytes(checkpoint)
+        status.append(run(directory, prm, "--resume", "--set", f"Time/End time={end}",
+                          "--set", f"Output/Fields interval={interval}")[0])
+        print("snapshots of a run with none up to its checkpoint,", "status", *status,
+              "interval", interval, sorted(
+                  str(path.relative_to(directory)) for path in
+                  (*directory.glob("*.pvd"), *directory.glob("fields/*"))))
+    shutil.rmtree(directory)
+
+
 def kill(reference, prm):
     """Files that tell of the end of a run are not there once it goes on."""
     directory = Path("resumed")
@@ -306,6 +323,7 @@ def main():
     damage_twice(reference, "scene.prm", longer)
     shutil.rmtree(longer)
     without_space_time(reference, "scene.prm")
+    without_fields("scene.prm")
     kill(reference, "scene.prm")
     short_tables(reference, "scene.prm")
     lock("scene.prm")

@@ -156,6 +156,15 @@ def main():
         wrong.append(f"{len(found)} lines instead of {len(expected)}")
     print("study.txt:", "; ".join(wrong) or "as study.csv")
 
+    n = len(study)
+    tenths = [k for k in range(1, n + 1) if 10 * k // n != 10 * (k - 1) // n]
+    found = re.findall(r"^  run (\d+)/(\d+)  \d+:\d\d left$", run.log, re.MULTILINE)
+    # on two ranks two tenths may have passed since the last look
+    is_right = (found == sorted(found, key=lambda one: int(one[0])) and
+                2 * len(found) >= len(tenths) and found[-1] == (str(n), str(n)) and
+                {int(k) for k, _ in found} <= set(tenths))
+    print("log.txt, lines at tenths of the runs:", is_right)
+
     said = " ".join(["", *run.log.split(), ""])
     print("log.txt, study.md:", "; ".join([
         f"no {words!r}" for words in log_lines(study, run.settings) if f" {words} " not in said] +

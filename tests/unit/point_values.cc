@@ -15,7 +15,13 @@
 // 3. Fields that the scene does not have are NaN, and so is the velocity of a
 //    static scene at t = 0. The value at a node is the nodal value to the last
 //    digit.
-// 4. Places on the axis: p + 1 per cell, from 0 to 1, each cell beginning where
+// 4. With the mass of a cell at its middle, four cells and the nodal
+//    velocities 1, -1, 3, -5, 7: nodes inside have 1/4, 1/2 and 1/4 of
+//    themselves and their neighbours, -1/2 + 1/4 + 3/4 = 1/2, 0 and 0, the
+//    right end its own, 7; the left end 1/4 if it is moved by t/4, 0 if it is
+//    held. Free, with 3 in the place of -1, it has (1 + 3)/2 = 2, and behind it
+//    are 3/2 + 1/4 + 3/4 = 5/2, 3/2 + 3/4 - 5/4 = 1, 0 and 7.
+// 5. Places on the axis: p + 1 per cell, from 0 to 1, each cell beginning where
 //    the last one ends.
 
 #include <thermocontact/space/point_values.h>
@@ -272,6 +278,35 @@ namespace
 
 
 
+  void
+  test_velocities_of_cells(const std::string         &support,
+                           const std::string         &displacement,
+                           const std::vector<double> &velocities)
+  {
+    Parameters parameters                 = make_parameters<1>(1);
+    parameters.time.scheme                = "box";
+    parameters.mesh.grading               = 1.;
+    parameters.model.fields               = "displacement";
+    parameters.boundary.left.support      = support;
+    parameters.boundary.left.displacement = displacement;
+    const Scene             scene(parameters);
+    const Discretization<1> space(scene, MPI_COMM_SELF);
+    State                   state = space.make_state();
+    std::copy(velocities.begin(), velocities.end(), state.velocity.begin());
+    std::vector<Place<1>> places;
+    for (unsigned int i = 0; i < velocities.size(); ++i)
+      places.push_back({Point<1>(0.25 * i), Point<1>(0.25 * i)});
+    PointValues<1> point_values(scene, space, places);
+    const auto    &values = point_values.evaluate(state);
+    deallog << "mass at the middle of cells, end " << support
+            << ", u = " << displacement << ": velocities";
+    for (unsigned int i = 0; i < places.size(); ++i)
+      deallog << ' ' << values[PointValues<1>::velocity * places.size() + i];
+    deallog << std::endl;
+  }
+
+
+
   template <int dim>
   void
   test_axis(const unsigned int cells_across)
@@ -327,6 +362,9 @@ main_point_values()
       test_kink<3>(communicator);
       test_details(communicator);
     }
+  test_velocities_of_cells("clamped", "t/4", {1., -1., 3., -5., 7.});
+  test_velocities_of_cells("clamped", "0", {1., -1., 3., -5., 7.});
+  test_velocities_of_cells("free", "0", {1., 3., 3., -5., 7.});
   test_axis<1>(1);
   test_axis<2>(2);
   test_axis<2>(3);

@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ThermoContact
@@ -62,6 +63,15 @@ namespace ThermoContact
       is_any() const
       {
         return spring > 0. || dashpot > 0. || mass > 0.;
+      }
+
+      /** All members, to compare: a binding that leaves one out does not
+       * compile. */
+      auto
+      members() const
+      {
+        const auto &[a, b, c] = *this;
+        return std::tie(a, b, c);
       }
     };
 
@@ -208,8 +218,24 @@ namespace ThermoContact
      * those of a Scene, where its materials jump. */
     std::array<std::vector<double>, 2> planes;
 
+    /** All members, to compare: a binding that leaves one out does not
+     * compile. */
+    auto
+    members() const
+    {
+      const auto &[a, b, c, d, e, f, g, h, i, j] = *this;
+      return std::tie(a, b, c, d, e, f, g, h, i, j);
+    }
+
     void
     add_parameters(ParameterHandler &prm);
+
+    /** The body for which the mesh stands, of this dimension. */
+    std::unique_ptr<const BodyGeometry>
+    make_geometry(const unsigned int dim) const
+    {
+      return ThermoContact::geometry(geometry).make(dim, width);
+    }
 
     /** All cells are as large. */
     bool

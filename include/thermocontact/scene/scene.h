@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 
 namespace ThermoContact
 {
@@ -35,6 +36,15 @@ namespace ThermoContact
     {
       return (has_temperature ? 1 : 0) + (has_displacement ? dim : 0);
     }
+
+    /** All members, to compare: a binding that leaves one out does not
+     * compile. */
+    auto
+    members() const
+    {
+      const auto &[a, b] = *this;
+      return std::tie(a, b);
+    }
   };
 
 
@@ -49,6 +59,15 @@ namespace ThermoContact
     double lambda;         ///< Lame coefficients of unit P-wave modulus
     double two_mu;
     bool   has_dashpots; ///< at the ends of a rod
+
+    /** All members, to compare: a binding that leaves one out does not
+     * compile. */
+    auto
+    members() const
+    {
+      const auto &[a, b, c, d, e, f, g] = *this;
+      return std::tie(a, b, c, d, e, f, g);
+    }
 
     Elasticity
     elasticity() const

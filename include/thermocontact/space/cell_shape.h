@@ -11,6 +11,9 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
+#include <deal.II/fe/fe.h>
+
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -75,13 +78,22 @@ namespace ThermoContact
       return GeometryInfo<dim>::project_to_unit_cell(box.real_to_unit(point));
     }
 
-    /** The gradient of a function whose gradient in the unit cell is given. */
+    /**
+     * The gradient of a basis function of an element at a point of the unit
+     * cell; exactly 0 along a direction in which the function is constant.
+     */
     Tensor<1, dim>
-    gradient(Tensor<1, dim> unit_gradient) const
+    gradient(const FiniteElement<dim> &element,
+             const unsigned int        function,
+             const Point<dim>         &unit_point) const
     {
+      Tensor<1, dim> gradient = element.shape_grad(function, unit_point);
       for (unsigned int d = 0; d < dim; ++d)
-        unit_gradient[d] /= box.side_length(d);
-      return unit_gradient;
+        gradient[d] =
+          std::abs(gradient[d]) <= Tolerances::rounding_of_solution ?
+            0. :
+            gradient[d] / box.side_length(d);
+      return gradient;
     }
 
     /** The lengths of the sides. */

@@ -238,13 +238,6 @@ namespace ThermoContact
     Elasticity
     elasticity(const Cell &cell, const Point<dim> &place) const;
 
-    /** Coefficients in the equations at @p theta less those at 0, in cells with
-     * means their part of the series; section Bodies is given. */
-    RodCoefficients
-    beyond_zero(const Cell       &cell,
-                const Point<dim> &place,
-                const double      theta) const;
-
     /** False: in_equations() are the same in all of the cell. */
     bool
     coefficients_vary(const Cell &cell) const;

@@ -91,16 +91,15 @@ namespace ThermoContact
     lateral_dissipation_rate(const State &state) const;
 
     /**
-     * Dissipation by the damping of the obstacle per time, (D4.7): work of the
-     * pressures that the obstacle does not store. 0 without damping.
-     * Collective.
+     * Dissipation at the contact per time, (D4.7): work of the action of the
+     * obstacle that it does not store. Collective.
      */
     double
     damping_rate(const State &state) const;
 
     /**
-     * Power of an obstacle that moves, its pressures on the body times its
-     * velocity towards it, $-\sum_iw_ip_ig'_i$ per unit cross-section; (D4.8).
+     * Power of an obstacle that moves, (D4.8): its action on the body times its
+     * velocity, per unit cross-section.
      */
     double
     obstacle_power(const State &state) const;

@@ -162,17 +162,6 @@ namespace ThermoContact
     return of_body.two_mu * strain.tensor +
            of_body.lambda * strain.trace * dealii::unit_symmetric_tensor<3>();
   }
-
-  /** Component of it. */
-  inline double
-  elastic_stress(const Elasticity  &of_body,
-                 const Strain      &strain,
-                 const unsigned int d,
-                 const unsigned int e)
-  {
-    return of_body.two_mu * strain.tensor[d][e] +
-           (d == e ? of_body.lambda * strain.trace : 0.);
-  }
 } // namespace ThermoContact
 
 #endif

@@ -17,7 +17,6 @@ namespace ThermoContact
   class NonlinearBody : public NonlinearTerms<dim>
   {
   public:
-    using typename NonlinearTerms<dim>::Instant;
     using typename NonlinearTerms<dim>::Operator;
 
     /** All arguments are borrowed. */
@@ -26,14 +25,16 @@ namespace ThermoContact
     ~NonlinearBody() override;
 
     void
-    subtract(const Instant &instant,
-             Vector        &heat,
-             Vector        &momentum) const override;
+    subtract(const State &state,
+             const Rates &rates,
+             Vector      &heat,
+             Vector      &momentum) const override;
 
     std::unique_ptr<const Operator>
-    linearize(const Instant &instant,
-              Vector        &heat,
-              Vector        &momentum) const override;
+    linearize(const State &state,
+              const Rates &rates,
+              Vector      &heat,
+              Vector      &momentum) const override;
 
     std::unique_ptr<const Operator>
     at(const Vector &temperature) const override;
@@ -78,7 +79,8 @@ namespace ThermoContact
     /** Calls the functions at the points of the mass, then at the others of
      * each cell, then for it. Collective; throws as subtract(). */
     void
-    visit(const Instant &instant,
+    visit(const State   &state,
+          const Rates   &rates,
           const AtPoint &at_mass,
           const AtPoint &at_rest,
           const AtCell  &at_cell) const;
@@ -98,9 +100,10 @@ namespace ThermoContact
      * @param residual is added to; null: none is wanted
      */
     std::unique_ptr<const Operator>
-    operator_at(const Instant &instant,
-                const bool     with_slopes,
-                Residual      *residual) const;
+    operator_at(const State &state,
+                const Rates &rates,
+                const bool   with_slopes,
+                Residual    *residual) const;
   };
 } // namespace ThermoContact
 

@@ -18,17 +18,19 @@ namespace ThermoContact
     NonlinearRod(const Scene &scene, const Operator &equations);
 
     void
-    subtract(const Instant &instant,
-             Vector        &heat,
-             Vector        &momentum) const override;
+    subtract(const State &state,
+             const Rates &rates,
+             Vector      &heat,
+             Vector      &momentum) const override;
 
     std::unique_ptr<const Operator>
-    linearize(const Instant &instant,
-              Vector        &heat,
-              Vector        &momentum) const override
+    linearize(const State &state,
+              const Rates &rates,
+              Vector      &heat,
+              Vector      &momentum) const override
     {
-      subtract(instant, heat, momentum);
-      return operator_at(instant, true);
+      subtract(state, rates, heat, momentum);
+      return operator_at(state, rates, true);
     }
 
     std::unique_ptr<const Operator>
@@ -76,15 +78,18 @@ namespace ThermoContact
      */
     template <typename AtMass, typename AtRest>
     void
-    visit(const Cell    &cell,
-          const Instant &instant,
-          const bool     with_slopes,
-          const AtMass  &at_mass,
-          const AtRest  &at_rest) const;
+    visit(const Cell   &cell,
+          const State  &state,
+          const Rates  &rates,
+          const bool    with_slopes,
+          const AtMass &at_mass,
+          const AtRest &at_rest) const;
 
     /** @param with_slopes with the derivatives of the coefficients */
     std::unique_ptr<const Operator>
-    operator_at(const Instant &instant, const bool with_slopes) const;
+    operator_at(const State &state,
+                const Rates &rates,
+                const bool   with_slopes) const;
   };
 } // namespace ThermoContact
 

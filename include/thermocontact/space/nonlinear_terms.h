@@ -5,6 +5,7 @@
 
 #include <thermocontact/base/types.h>
 #include <thermocontact/scene/scene.h>
+#include <thermocontact/space/state.h>
 #include <thermocontact/space/thermoviscoelastic_operator.h>
 
 #include <memory>
@@ -31,24 +32,21 @@ namespace ThermoContact
   public:
     virtual ~NonlinearTerms() = default;
 
-    /** The body at an instant; rates include those of driven ends. Empty
-     * vectors are zero. */
-    struct Instant
-    {
-      const Vector &temperature;
-      const Vector &temperature_rate;
-      const Vector &displacement;
-      const Vector &velocity;
-    };
-
     /**
      * @p heat $-=R_\theta$, @p momentum $-=R_u$. Collective.
      *
+     * @param state temperature and displacement; vectors without entries, as
+     *   in the rates, are zero
+     * @param rates of the temperature, and the velocity, with those of driven
+     *   ends
      * @throw InputError on all ranks if a value is not allowed; heat and
      *   momentum mean nothing then
      */
     virtual void
-    subtract(const Instant &instant, Vector &heat, Vector &momentum) const = 0;
+    subtract(const State &state,
+             const Rates &rates,
+             Vector      &heat,
+             Vector      &momentum) const = 0;
 
     using Operator = ThermoviscoelasticOperator<dim>;
 
@@ -62,7 +60,10 @@ namespace ThermoContact
      * @throw InputError as subtract()
      */
     virtual std::unique_ptr<const Operator>
-    linearize(const Instant &instant, Vector &heat, Vector &momentum) const = 0;
+    linearize(const State &state,
+              const Rates &rates,
+              Vector      &heat,
+              Vector      &momentum) const = 0;
 
     /** The equations at this temperature; throws as subtract(). Collective. */
     virtual std::unique_ptr<const Operator>

@@ -151,7 +151,7 @@ namespace ThermoContact
       unsigned int        place;
       Cell                cell;
       Point<dim>          position;
-      double              weight;        ///< over the section
+      double              weight;        ///< 1 / number of its cells
       std::vector<double> value, stress; ///< of BasisAt
     };
 
@@ -192,9 +192,13 @@ namespace ThermoContact
     find_law_places(const std::vector<Place<dim>> &places,
                     const std::vector<double>     &n_cells);
 
-    /** Adds the stress beyond that of the coefficients at $\theta=0$. */
+    /** The stress of coefficients that depend on the temperature. */
     void
-    add_stress_of_laws(const State &state, const Vector &velocity);
+    add_stress_of_laws(const State &state);
+
+    /** The stress of all others, by forms. */
+    void
+    add_linear_stress(const State &state, const Vector &velocity);
 
     /** The values of a quantity are NaN. */
     void

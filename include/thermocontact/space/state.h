@@ -13,6 +13,29 @@
 
 namespace ThermoContact
 {
+  /** The rates of a state. */
+  struct Rates
+  {
+    Vector temperature_rate; ///< $\theta'$
+    Vector velocity;         ///< $v=u'$
+    Vector acceleration;     ///< $v'$
+
+    /** In the order of State::vectors(), whose rates they are. */
+    std::array<Vector *, 3>
+    vectors()
+    {
+      return {{&temperature_rate, &velocity, &acceleration}};
+    }
+
+    std::array<const Vector *, 3>
+    vectors() const
+    {
+      return {{&temperature_rate, &velocity, &acceleration}};
+    }
+  };
+
+
+
   /**
    * The body at one time: everything that a time integrator needs to go on.
    * A value: copied, exchanged, dropped.
@@ -74,6 +97,25 @@ namespace ThermoContact
     vectors() const
     {
       return {{&temperature, &displacement, &velocity}};
+    }
+
+    /** Rates of this layout. */
+    void
+    set_layout(Rates &rates) const
+    {
+      for (unsigned int k = 0; k < vectors().size(); ++k)
+        *rates.vectors()[k] = *vectors()[k];
+    }
+
+    /**
+     * Temperature and displacement at the end of a stage of length @p tau from
+     * @p known ones, which may be its own. The velocity is their rate there.
+     */
+    void
+    advance(const State &known, const double tau, const Rates &rates)
+    {
+      set_sum(temperature, known.temperature, tau, rates.temperature_rate);
+      set_sum(displacement, known.displacement, tau, rates.velocity);
     }
 
     /** Becomes the body of another state; allocates nothing for one layout. */

@@ -18,12 +18,10 @@
 
 namespace ThermoContact
 {
-  /** The solution of one implicit stage, doc/discretisation.md (D2.1). */
-  struct StageRates
+  /** The solution of one implicit stage, doc/discretisation.md (D2.1).
+   * Integrators set the acceleration. */
+  struct StageRates : Rates
   {
-    Vector         temperature_rate; ///< $\theta'$
-    Vector         velocity;         ///< $v=u'$
-    Vector         acceleration;     ///< $v'$; integrators set it
     ObstacleAction contact;
 
     /**
@@ -39,13 +37,6 @@ namespace ThermoContact
     double algebraic_power = 0.;
 
     std::string failure; ///< empty: solved
-
-    /** In the order of State::vectors(), whose rates they are. */
-    std::array<const Vector *, 3>
-    vectors() const
-    {
-      return {{&temperature_rate, &velocity, &acceleration}};
-    }
 
     /** The start of a solver: no pressures, nothing of the last stage. */
     void

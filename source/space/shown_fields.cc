@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <thermocontact/space/shown_velocity.h>
+#include <thermocontact/space/shown_fields.h>
 
 namespace ThermoContact
 {
@@ -30,4 +30,24 @@ namespace ThermoContact
                 0.;
     return memory;
   }
+
+
+
+  template <int dim>
+  ShownFields<dim>::ShownFields(const Scene               &scene,
+                                const Discretization<dim> &discretization,
+                                const State               &state)
+    : scene(scene)
+    , discretization(discretization)
+    , values_(discretization.with_ghosts(state.temperature, state.displacement))
+    , velocities_(
+        discretization.with_ghosts(state.temperature,
+                                   shown_velocity(scene, state, memory)))
+  {}
+
+
+
+  template class ShownFields<1>;
+  template class ShownFields<2>;
+  template class ShownFields<3>;
 } // namespace ThermoContact
