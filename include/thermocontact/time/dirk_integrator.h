@@ -70,7 +70,7 @@ namespace ThermoContact
 
     std::vector<StageRates> stages;
     State                   known;
-    State                   difference;
+    State                   difference; ///< of schemes with an error estimate
     Vector                  heat_load;
     Vector                  momentum_load;
 
