@@ -178,7 +178,7 @@ namespace ThermoContact
   SteadyState
   final_state(const StepRecord &record)
   {
-    return {record.displacement_end,
+    return {record.shown_length(record.displacement_end),
             record.contact_force,
             record.temperature_end,
             record.in_contact};

@@ -73,10 +73,12 @@ namespace ThermoContact
       line += text("  ", name, " = ", align_left(units.text(kind, value), 12));
     };
     if (scene.fields.has_displacement)
-      add(at_end("u", scene), "length", record.displacement_end);
+      add(at_end("u", scene),
+          "length",
+          record.shown_length(record.displacement_end));
     if (scene.contact.law->is_active())
       {
-        add("gap", "length", record.gap);
+        add("gap", "length", record.shown_length(record.gap));
         add("force", "force", record.contact_force);
       }
     if (scene.fields.has_temperature)

@@ -13,6 +13,7 @@ In fields the bodies stand side by side, and nothing is drawn between them.
 """
 import csv
 import math
+import re
 import sys
 from pathlib import Path
 
@@ -103,6 +104,11 @@ elif title == "Hot bar":
     last = table("bar-obstacle")
     check("force", last["contact_force"][-1] / (21e6 * 12e-6 * heat / soft), 1, 1e-6)
     stress = meshio.read(sorted(directory.glob("fields/fields-*.vtu"))[-1]).point_data["stress"]
+    # its ends rest, but for rounding, which the screen does not show
+    lines = re.findall(r"u\(right end\) = ([^,g]*?),? +(?:gap = (.*?) +f|theta)", run.log)
+    wrong = [line for line in lines if set(line) - {"0 m", ""}]
+    if len(lines) < 8 or wrong:
+        faults.append(f"screen {lines}")
     check("stress", abs(1e-4 * stress / last["contact_force"][-1] + 1).max(), 0, 1e-5)  # the same everywhere
 elif title.startswith("Bolt"):
     plates = table("upper-lower")
