@@ -153,9 +153,10 @@ namespace ThermoContact
       dim == 2 ? 2e-7 * std::pow(n, 1.5) : 5e-8 * std::pow(n, 2.);
     // of coefficients of the temperature: iterations of Newton's method, each
     // with integrals over all cells
-    const double n_tangents = scene.sources.has_laws ? 3. * n_stages : 0.;
-    const double n_points   = std::pow(parameters.mesh.degree + 1., dim),
-                 n_in_cell  = (dim + 1.) * n_points;
+    const double n_tangents =
+      scene.sources.has_nonlinear_terms ? 3. * n_stages : 0.;
+    const double n_points  = std::pow(parameters.mesh.degree + 1., dim),
+                 n_in_cell = (dim + 1.) * n_points;
     const double integrals =
       4e-9 * n_points * n_in_cell * n_in_cell * parameters.mesh.n_cells(dim);
     return seconds_of_process + 3e-5 * n +

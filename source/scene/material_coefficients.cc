@@ -14,7 +14,7 @@ namespace ThermoContact
   namespace
   {
     auto
-    parts_of(const RodCoefficients &coefficients)
+    parts_of(const CoefficientValues &coefficients)
     {
       const auto &[a, b, c, d, e, f, g, h] = coefficients;
       return std::tie(a, b, c, d, e, f, g, h);
@@ -23,7 +23,7 @@ namespace ThermoContact
 
 
     template <typename Terms, typename Value>
-    RodCoefficients
+    CoefficientValues
     collect(const Terms &c, const Value &value)
     {
       return {value(c[0]),
@@ -53,8 +53,8 @@ namespace ThermoContact
 
 
 
-  RodCoefficients &
-  RodCoefficients::operator-=(const RodCoefficients &other)
+  CoefficientValues &
+  CoefficientValues::operator-=(const CoefficientValues &other)
   {
     section -= other.section;
     heat_mass -= other.heat_mass;
@@ -70,7 +70,7 @@ namespace ThermoContact
 
 
   bool
-  operator==(const RodCoefficients &one, const RodCoefficients &other)
+  operator==(const CoefficientValues &one, const CoefficientValues &other)
   {
     return parts_of(one) == parts_of(other);
   }
@@ -288,7 +288,7 @@ namespace ThermoContact
 
 
 
-  RodCoefficients
+  CoefficientValues
   MaterialCoefficients::in_equations(const Variables<double> &variables) const
   {
     return collect(terms<double>(variables), [](const double c) { return c; });
@@ -307,7 +307,7 @@ namespace ThermoContact
 
 
 
-  RodTangents
+  CoefficientTangents
   MaterialCoefficients::tangents(const Variables<double> &variables,
                                  const Values *const      known) const
   {

@@ -39,7 +39,7 @@ namespace ThermoContact
 
 
 
-  RodCoefficients
+  CoefficientValues
   BodyRow::of_rod(const unsigned int number,
                   const double       x,
                   const double       theta) const
@@ -58,7 +58,7 @@ namespace ThermoContact
 
 
 
-  RodCoefficients
+  CoefficientValues
   BodyRow::in_equations(const unsigned int number,
                         const double       x,
                         const double       theta) const
@@ -66,8 +66,8 @@ namespace ThermoContact
     if (cells[number].varies || theta == 0.)
       return cells[number].varies ? of_rod(number, x, theta) :
                                     cells[number].whole;
-    RodCoefficients result = cells[number].whole;
-    const auto      beyond =
+    CoefficientValues result = cells[number].whole;
+    const auto        beyond =
       beyond_zero(number, {of_rod(number, x, theta), {}}, of_rod(number, x))
         .value;
     // the stress alone
@@ -79,25 +79,25 @@ namespace ThermoContact
 
 
 
-  RodTangents
-  BodyRow::beyond_zero(const unsigned int     cell,
-                       const RodTangents     &at_theta,
-                       const RodCoefficients &at_zero) const
+  CoefficientTangents
+  BodyRow::beyond_zero(const unsigned int         cell,
+                       const CoefficientTangents &at_theta,
+                       const CoefficientValues   &at_zero) const
   {
-    RodTangents            beyond = at_theta;
-    const RodCoefficients &whole  = cells[cell].whole;
-    for (const auto part : {&RodCoefficients::heat_mass,
-                            &RodCoefficients::conduction,
-                            &RodCoefficients::coupling,
-                            &RodCoefficients::stiffness,
-                            &RodCoefficients::viscosity})
+    CoefficientTangents      beyond = at_theta;
+    const CoefficientValues &whole  = cells[cell].whole;
+    for (const auto part : {&CoefficientValues::heat_mass,
+                            &CoefficientValues::conduction,
+                            &CoefficientValues::coupling,
+                            &CoefficientValues::stiffness,
+                            &CoefficientValues::viscosity})
       {
         beyond.value.*part -= at_zero.*part;
-        if (cells[cell].varies || part == &RodCoefficients::heat_mass)
+        if (cells[cell].varies || part == &CoefficientValues::heat_mass)
           continue;
         // thermal strains a/E add up along a cell
-        const auto in_series = part == &RodCoefficients::coupling ?
-                                 &RodCoefficients::stiffness :
+        const auto in_series = part == &CoefficientValues::coupling ?
+                                 &CoefficientValues::stiffness :
                                  part;
         if (at_zero.*in_series != 0.)
           {
@@ -277,8 +277,8 @@ namespace ThermoContact
         }
       else if (has_rod)
         {
-          const BodyParameters &rod = one.is_mass() ? *other : one;
-          const RodCoefficients end =
+          const BodyParameters   &rod = one.is_mass() ? *other : one;
+          const CoefficientValues end =
             RodProfile(parameters, rod).at_end(one.is_mass());
           contacts.push_back({name,
                               mass / std::sqrt(parameters.model.inertia *
@@ -439,7 +439,7 @@ namespace ThermoContact
                                number,
                                begin,
                                varies,
-                               varies ? RodCoefficients() :
+                               varies ? CoefficientValues() :
                                         profile.of_cell(begin, begin + size)});
           begin += size;
         }

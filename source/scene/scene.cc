@@ -239,7 +239,7 @@ namespace ThermoContact
                     const SceneFields      &fields,
                     const SceneHeat        &heat,
                     const Expression *const gap,
-                    const bool              has_laws,
+                    const bool              has_nonlinear_terms,
                     const bool              has_motion,
                     const bool              has_obstacle)
     {
@@ -264,7 +264,7 @@ namespace ThermoContact
         fields.has_temperature && heat.fixed_end_drive != nullptr,
         has_motion,
         has_obstacle && gap != nullptr && gap->depends_on("t"),
-        has_laws};
+        has_nonlinear_terms};
     }
 
 
@@ -295,7 +295,7 @@ namespace ThermoContact
     resolve_massless_nodes(const Parameters   &parameters,
                            const SceneContact &contact,
                            const Scheme       &scheme,
-                           const bool          has_laws,
+                           const bool          has_nonlinear_terms,
                            const bool          has_prescribed_start)
     {
       const ContactLaw &law = *contact.law;
@@ -305,7 +305,7 @@ namespace ThermoContact
       const BoundaryParameters::Right &right = parameters.boundary.right;
       if (scheme.has_no_dispersion || right.mass > 0. || right.dashpot > 0. ||
           parameters.has_row() || parameters.obstacle_mass() != nullptr ||
-          has_laws)
+          has_nonlinear_terms)
         // its mass matrix knows no single nodes, they carry something, what
         // they meet moves by itself, or their stress is that of tangents
         return false;
@@ -360,7 +360,7 @@ namespace ThermoContact
                     const BodyRow          &row,
                     const Material         &material,
                     const Scheme           &scheme,
-                    const bool              has_laws,
+                    const bool              has_nonlinear_terms,
                     const bool              has_prescribed_start)
     {
       SceneContact contact;
@@ -381,7 +381,7 @@ namespace ThermoContact
           parameters.boundary.right.meets_obstacle())
         contact.rear_gap = *parameters.contact.rear_gap;
       contact.has_massless_nodes = resolve_massless_nodes(
-        parameters, contact, scheme, has_laws, has_prescribed_start);
+        parameters, contact, scheme, has_nonlinear_terms, has_prescribed_start);
       for (const int side : {1, -1})
         {
           const ContactLaw &law        = contact.law_of(side);
@@ -513,14 +513,14 @@ namespace ThermoContact
                                  scheme,
                                  fixed_end_motion != nullptr ||
                                    sources.has_moving_obstacle ||
-                                   sources.has_laws))
+                                   sources.has_nonlinear_terms))
     , contact(resolve_contact(parameters,
                               gap_expression.get(),
                               fields,
                               row,
                               material,
                               scheme,
-                              sources.has_laws,
+                              sources.has_nonlinear_terms,
                               has_prescribed_start))
     , has_rollers(parameters.boundary.sides.support == "rollers")
     , has_symmetry(parameters.boundary.sides.support == "symmetric")
@@ -607,7 +607,8 @@ namespace ThermoContact
            "varying temperature of the fixed end");
     add_if(scene.sources.has_moving_end, "moving fixed end");
     add_if(scene.sources.has_moving_obstacle, "moving obstacle");
-    add_if(scene.sources.has_laws, "coefficients of the temperature");
+    add_if(scene.sources.has_nonlinear_terms,
+           "coefficients of the temperature");
     return terms;
   }
 } // namespace ThermoContact

@@ -160,16 +160,16 @@ namespace ThermoContact
     State       &state = result.state;
     const Vector old_temperature(state.temperature);
     const Vector old_displacement(state.displacement);
-    Vector       of_laws = forces_of_laws(state, nullptr);
+    Vector       load = nonlinear_forces(state, nullptr);
     move();
     book_boundaries(old_temperature, old_displacement, result);
     Vector change(state.displacement);
     change -= old_displacement;
-    of_laws += forces_of_laws(state, nullptr);
+    load += nonlinear_forces(state, nullptr);
     return body.energy.work_of_motion(momentum_load(state.load_time),
                                       state,
                                       change) +
-           0.5 * (of_laws * change) /
+           0.5 * (load * change) /
              body.discretization.geometry().cross_section();
   }
 
@@ -189,7 +189,7 @@ namespace ThermoContact
 
   template <int dim>
   Vector
-  Reset<dim>::forces_of_laws(const State &state, const Vector *velocity) const
+  Reset<dim>::nonlinear_forces(const State &state, const Vector *velocity) const
   {
     Vector forces = body.discretization.make_vector(Field::displacement);
     if (!body.nonlinear)
@@ -214,7 +214,7 @@ namespace ThermoContact
     body.equations.momentum_residual(
       state, velocity, nullptr, momentum_load, forces);
     if (body.nonlinear)
-      forces += forces_of_laws(state, velocity);
+      forces += nonlinear_forces(state, velocity);
     body.equations.zero_constrained(Field::displacement, forces);
     return forces;
   }

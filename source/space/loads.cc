@@ -30,7 +30,7 @@ namespace ThermoContact
     , exchange_coefficient(scene.heat.linear_coefficient())
     , inertia(scene.material.inertia)
     , obstacle_mass(scene.obstacle_mass ? scene.obstacle_mass->mass : 0.)
-    , has_laws(scene.sources.has_laws)
+    , has_nonlinear_terms(scene.sources.has_nonlinear_terms)
     , fe_values(discretization.mapping(),
                 discretization.finite_element(),
                 QGauss<dim>(data.heat_source || data.body_force ?
@@ -291,7 +291,7 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const auto factor = [&](double RodCoefficients::*const part) {
+          const auto factor = [&](double CoefficientValues::*const part) {
             return [this, &cell, part](const Point<dim> &place) {
               return discretization.in_equations(cell, place).*part;
             };
@@ -306,12 +306,12 @@ namespace ThermoContact
                 add(fe_values,
                     *data.heat_source,
                     Field::temperature,
-                    factor(&RodCoefficients::section));
+                    factor(&CoefficientValues::section));
               if (data.body_force)
                 add(fe_values,
                     *data.body_force,
                     Field::displacement,
-                    factor(&RodCoefficients::inertia));
+                    factor(&CoefficientValues::inertia));
             }
           distribute(cell);
         }

@@ -65,14 +65,14 @@ namespace ThermoContact
     const std::vector<CellBasis<dim>> &basis;
     const Material                    &material;
     const Elasticity                  &elasticity;
-    RodTangents                        beyond{};
+    CoefficientTangents                beyond{};
 
     double         theta = 0., rate = 0.;
     Tensor<1, dim> gradient{};
     Strain         strain{}, strain_rate{};
 
     SymmetricTensor<2, 3>
-    stress(const RodCoefficients &coefficients) const
+    stress(const CoefficientValues &coefficients) const
     {
       return stress_of(material,
                        coefficients,
@@ -221,9 +221,9 @@ namespace ThermoContact
   NonlinearBody<dim>::add_residual(const Point            &at,
                                    dealii::Vector<double> &residual) const
   {
-    const RodCoefficients &beyond = at.beyond.value;
-    const Tensor<1, dim>   flux   = at.weight * beyond.conduction * at.gradient;
-    const double           source =
+    const CoefficientValues &beyond = at.beyond.value;
+    const Tensor<1, dim>     flux = at.weight * beyond.conduction * at.gradient;
+    const double             source =
       at.weight * material.heating * beyond.coupling * at.strain_rate.trace;
     const SymmetricTensor<2, 3> stress = at.weight * at.stress(beyond);
     for (const unsigned int i : places[Field::temperature])
@@ -354,9 +354,9 @@ namespace ThermoContact
     const auto at_rest = [&](const Point &at) {
       if (residual != nullptr)
         add_residual(at, residual->of_cell);
-      const RodCoefficients &value = at.beyond.value,
-                            slope =
-                              with_slopes ? at.beyond.slope : RodCoefficients();
+      const CoefficientValues &value = at.beyond.value,
+                              slope  = with_slopes ? at.beyond.slope :
+                                                     CoefficientValues();
       const double source =
         material.heating * slope.coupling * at.strain_rate.trace;
       // derivative of the stress in the temperature, over -a

@@ -10,7 +10,7 @@ namespace ThermoContact
   make_nonlinear_terms(const Scene                           &scene,
                        const ThermoviscoelasticOperator<dim> &equations)
   {
-    if (!scene.sources.has_laws)
+    if (!scene.sources.has_nonlinear_terms)
       return nullptr;
     if constexpr (dim == 1)
       return std::make_unique<const NonlinearRod>(scene, equations);

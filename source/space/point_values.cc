@@ -100,26 +100,26 @@ namespace ThermoContact
     for (const auto &[key, weight] : weights)
       terms[std::get<0>(key)].push_back(
         {std::get<1>(key), std::get<2>(key), weight});
-    if (scene.sources.has_laws && scene.fields.has_displacement)
-      find_law_places(places, n_cells);
+    if (scene.sources.has_nonlinear_terms && scene.fields.has_displacement)
+      find_nonlinear_places(places, n_cells);
   }
 
 
 
   template <int dim>
   void
-  PointValues<dim>::find_law_places(const std::vector<Place<dim>> &places,
-                                    const std::vector<double>     &n_cells)
+  PointValues<dim>::find_nonlinear_places(const std::vector<Place<dim>> &places,
+                                          const std::vector<double> &n_cells)
   {
     visit_cells(places, [&](const Cell &cell, const unsigned int place) {
       const Point<dim> &position = places[place].position;
-      LawPlace          one{place, cell, position, 1. / n_cells[place], {}, {}};
+      NonlinearPlace    one{place, cell, position, 1. / n_cells[place], {}, {}};
       for (const BasisAt &f : basis_at(cell, position))
         {
           one.value.push_back(f.theta);
           one.stress.push_back(f.stress);
         }
-      law_places.push_back(one);
+      nonlinear_places.push_back(one);
     });
   }
 
@@ -127,12 +127,12 @@ namespace ThermoContact
 
   template <int dim>
   void
-  PointValues<dim>::add_stress_of_laws(const State &state)
+  PointValues<dim>::add_nonlinear_stress(const State &state)
   {
     const ShownFields<dim>               shown(scene, discretization, state);
     std::vector<types::global_dof_index> dofs(
       discretization.finite_element().dofs_per_cell);
-    for (const LawPlace &one : law_places)
+    for (const NonlinearPlace &one : nonlinear_places)
       {
         one.cell->get_dof_indices(dofs);
         double theta = 0., elastic = 0., of_rate = 0.;
@@ -259,8 +259,8 @@ namespace ThermoContact
       if (weight != 0.)
         shares.push_back({form, place, dof, weight});
     };
-    const bool            has_bodies = discretization.has_bodies();
-    const RodCoefficients in_equations =
+    const bool              has_bodies = discretization.has_bodies();
+    const CoefficientValues in_equations =
       discretization.in_equations(cell, position);
     const double section = discretization.of_material(cell, position).section;
     for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -307,8 +307,8 @@ namespace ThermoContact
     add_values(displacement_form, state.displacement, 1., displacement);
     const Vector &v = shown_velocity(scene, state, velocity_memory);
     add_values(displacement_form, v, 1., velocity);
-    if (scene.sources.has_laws && scene.fields.has_displacement)
-      add_stress_of_laws(state);
+    if (scene.sources.has_nonlinear_terms && scene.fields.has_displacement)
+      add_nonlinear_stress(state);
     else
       add_linear_stress(state, v);
     if (Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)

@@ -536,7 +536,8 @@ namespace ThermoContact
     bool has_driven_temperature; ///< of the fixed end
     bool has_moving_end;         ///< the fixed end
     bool has_moving_obstacle;
-    bool has_laws; ///< what coefficients of the temperature add, (M10.8)
+    bool has_nonlinear_terms; ///< what coefficients of the temperature add,
+                              ///< (M10.8)
 
     bool
     any() const
@@ -544,7 +545,7 @@ namespace ThermoContact
       return has_heat_source || has_body_force || has_end_traction ||
              has_end_heat_flux || has_left_traction || has_left_heat_flux ||
              has_varying_obstacle || has_driven_exchange || drives_end() ||
-             has_moving_obstacle || has_laws;
+             has_moving_obstacle || has_nonlinear_terms;
     }
 
     /** The fixed end is heated or moved as a function of time. */

@@ -221,7 +221,7 @@ namespace ThermoContact
     /** $-R_u$ of (M10.8), 0 of other bodies; @p velocity null: without viscous
      * stress. */
     Vector
-    forces_of_laws(const State &state, const Vector *velocity) const;
+    nonlinear_forces(const State &state, const Vector *velocity) const;
 
     /** Forces on a body by these loads, with constrained rows zero. */
     Vector

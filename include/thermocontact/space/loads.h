@@ -45,7 +45,7 @@ namespace ThermoContact
     bool
     has_sources() const
     {
-      return !data.sources.empty() || has_laws;
+      return !data.sources.empty() || has_nonlinear_terms;
     }
 
     /**
@@ -76,13 +76,13 @@ namespace ThermoContact
     const double               exchange_coefficient; ///< if it is a number
     const double               inertia;              ///< $b$
     const double               obstacle_mass;        ///< 0: it has none
-    const bool                 has_laws;             ///< SceneSources::has_laws
-    FEValues<dim>              fe_values;
-    FEFaceValues<dim>          face_values;
-    AffineConstraints<double>  unconstrained;
-    BlockVector                sources;
-    dealii::Vector<double>     cell_load;
-    Vector                     outer_heat_;
+    const bool    has_nonlinear_terms; ///< SceneSources::has_nonlinear_terms
+    FEValues<dim> fe_values;
+    FEFaceValues<dim>         face_values;
+    AffineConstraints<double> unconstrained;
+    BlockVector               sources;
+    dealii::Vector<double>    cell_load;
+    Vector                    outer_heat_;
 
     /** Adds a function that acts on a field, times a factor of the place, to
      * the load of a cell. */

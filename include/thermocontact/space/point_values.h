@@ -146,7 +146,7 @@ namespace ThermoContact
 
     /** A cell of a place in a body whose coefficients depend on the
      * temperature, (M10.8). */
-    struct LawPlace
+    struct NonlinearPlace
     {
       unsigned int        place;
       Cell                cell;
@@ -158,7 +158,7 @@ namespace ThermoContact
     const Scene                           &scene;
     const Discretization<dim>             &discretization;
     const unsigned int                     n_places;
-    std::vector<LawPlace>                  law_places;
+    std::vector<NonlinearPlace>            nonlinear_places;
     std::array<std::vector<Term>, n_forms> terms;
     std::vector<double>                    values;
     std::vector<double>                    axial_values;
@@ -189,12 +189,12 @@ namespace ThermoContact
 
     /** @param n_cells of each place */
     void
-    find_law_places(const std::vector<Place<dim>> &places,
-                    const std::vector<double>     &n_cells);
+    find_nonlinear_places(const std::vector<Place<dim>> &places,
+                          const std::vector<double>     &n_cells);
 
     /** The stress of coefficients that depend on the temperature. */
     void
-    add_stress_of_laws(const State &state);
+    add_nonlinear_stress(const State &state);
 
     /** The stress of all others, by forms. */
     void
