@@ -27,6 +27,8 @@ namespace ThermoContact
      * cells. If dim > 1 the stress is a tensor in space.
      *
      * @param cycle number of the snapshot
+     * @throw InputError on all ranks if a coefficient has a value at a node
+     * that is not allowed
      */
     template <int dim>
     std::vector<std::string>
@@ -87,6 +89,8 @@ namespace ThermoContact
       constexpr double         max_points = 50000.;
       const unsigned int       n_at_once  = std::max(1., max_points / n_points);
       std::vector<std::string> pieces;
+
+      CollectedErrors<InputError> errors;
       for (const auto &cell : space.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && !space.is_gap(cell))
           {
@@ -113,13 +117,16 @@ namespace ThermoContact
                                                                     of_value,
                                                                     place));
                     };
-                    stress[q] =
-                      shown.stress(cell,
-                                   place,
-                                   temperature[q],
-                                   temperature[q] * unit_symmetric_tensor<3>(),
-                                   elastic(gradient[q], displacement[q]),
-                                   elastic(gradient_rate[q], velocity[q]));
+                    errors.collect([&]() {
+                      stress[q] =
+                        shown.stress(cell,
+                                     place,
+                                     temperature[q],
+                                     temperature[q] *
+                                       unit_symmetric_tensor<3>(),
+                                     elastic(gradient[q], displacement[q]),
+                                     elastic(gradient_rate[q], velocity[q]));
+                    });
                   }
               }
             const double length = units.of("position").factor;
@@ -130,6 +137,7 @@ namespace ThermoContact
             if (cells.cells().size() == n_at_once)
               pieces.push_back(cells.take_piece());
           }
+      errors.throw_on_all_ranks(space.communicator());
       // ParaView does not read a file that starts with a piece without cells
       if (!cells.cells().empty())
         pieces.push_back(cells.take_piece());

@@ -162,6 +162,18 @@ namespace ThermoContact
           names.emplace_back(result.name);
       return names;
     }
+
+
+
+    /** @param scale of the terms whose rounding is in the length */
+    double
+    without_rounding(const double length, const double scale)
+    {
+      return std::abs(length) <=
+                 Tolerances::rounding_of_solution * std::abs(scale) ?
+               0. :
+               length;
+    }
   } // namespace
 
 
@@ -175,10 +187,28 @@ namespace ThermoContact
 
 
 
+  double
+  shown_displacement(const StepRecord &record)
+  {
+    return without_rounding(record.displacement_end, record.contact_force);
+  }
+
+
+
+  double
+  shown_gap(const StepRecord &record)
+  {
+    return without_rounding(record.gap,
+                            std::max(std::abs(record.contact_force),
+                                     std::abs(record.displacement_end)));
+  }
+
+
+
   SteadyState
   final_state(const StepRecord &record)
   {
-    return {record.shown_length(record.displacement_end),
+    return {shown_displacement(record),
             record.contact_force,
             record.temperature_end,
             record.in_contact};

@@ -2,6 +2,7 @@
 
 #include <thermocontact/base/multiples.h>
 #include <thermocontact/base/text.h>
+#include <thermocontact/report/key_results.h>
 #include <thermocontact/report/progress.h>
 #include <thermocontact/report/scene_report.h>
 
@@ -73,12 +74,10 @@ namespace ThermoContact
       line += text("  ", name, " = ", align_left(units.text(kind, value), 12));
     };
     if (scene.fields.has_displacement)
-      add(at_end("u", scene),
-          "length",
-          record.shown_length(record.displacement_end));
+      add(at_end("u", scene), "length", shown_displacement(record));
     if (scene.contact.law->is_active())
       {
-        add("gap", "length", record.shown_length(record.gap));
+        add("gap", "length", shown_gap(record));
         add("force", "force", record.contact_force);
       }
     if (scene.fields.has_temperature)
@@ -113,9 +112,9 @@ namespace ThermoContact
     if (scene.contact.law->is_active())
       line += record.in_contact ?
                 field("force", "force", record.contact_force) :
-                field("gap  ", "length", record.gap);
+                field("gap  ", "length", shown_gap(record));
     else if (scene.fields.has_displacement)
-      line += field(at_end("u", scene), "length", record.displacement_end);
+      line += field(at_end("u", scene), "length", shown_displacement(record));
     else
       line +=
         field(at_end("theta", scene), "temperature", record.temperature_end);

@@ -73,7 +73,7 @@ namespace ThermoContact
       };
       add(at_end("u", scene),
           "length",
-          record.displacement_end,
+          final_state(record).displacement_end,
           rest.displacement_end);
       add(at_end("theta", scene),
           "temperature difference",

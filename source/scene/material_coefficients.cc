@@ -14,7 +14,7 @@ namespace ThermoContact
   namespace
   {
     auto
-    parts_of(const CoefficientValues &coefficients)
+    parts_of(const EquationFactors &coefficients)
     {
       const auto &[a, b, c, d, e, f, g, h] = coefficients;
       return std::tie(a, b, c, d, e, f, g, h);
@@ -23,7 +23,7 @@ namespace ThermoContact
 
 
     template <typename Terms, typename Value>
-    CoefficientValues
+    EquationFactors
     collect(const Terms &c, const Value &value)
     {
       return {value(c[0]),
@@ -53,8 +53,8 @@ namespace ThermoContact
 
 
 
-  CoefficientValues &
-  CoefficientValues::operator-=(const CoefficientValues &other)
+  EquationFactors &
+  EquationFactors::operator-=(const EquationFactors &other)
   {
     section -= other.section;
     heat_mass -= other.heat_mass;
@@ -70,7 +70,7 @@ namespace ThermoContact
 
 
   bool
-  operator==(const CoefficientValues &one, const CoefficientValues &other)
+  operator==(const EquationFactors &one, const EquationFactors &other)
   {
     return parts_of(one) == parts_of(other);
   }
@@ -288,7 +288,7 @@ namespace ThermoContact
 
 
 
-  CoefficientValues
+  EquationFactors
   MaterialCoefficients::in_equations(const Variables<double> &variables) const
   {
     return collect(terms<double>(variables), [](const double c) { return c; });
@@ -307,7 +307,7 @@ namespace ThermoContact
 
 
 
-  CoefficientTangents
+  EquationTangents
   MaterialCoefficients::tangents(const Variables<double> &variables,
                                  const Values *const      known) const
   {

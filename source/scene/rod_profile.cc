@@ -144,7 +144,7 @@ namespace ThermoContact
 
 
 
-  CoefficientValues
+  EquationFactors
   RodProfile::at(const double x, const double theta) const
   {
     return all.in_equations({{0., 0., theta, x}});
@@ -152,7 +152,7 @@ namespace ThermoContact
 
 
 
-  CoefficientTangents
+  EquationTangents
   RodProfile::tangents(const double x, const double theta) const
   {
     return all.tangents({{0., 0., theta, x}});
@@ -160,7 +160,7 @@ namespace ThermoContact
 
 
 
-  CoefficientValues
+  EquationFactors
   RodProfile::of_cell(const double begin, const double end) const
   {
     if (!varies())
@@ -170,7 +170,7 @@ namespace ThermoContact
       begin,
       end,
       [this](const double x) -> Values<7> {
-        const CoefficientValues c = at(x);
+        const EquationFactors c = at(x);
         return {{c.section,
                  c.heat_mass,
                  1. / c.conduction,
@@ -196,7 +196,7 @@ namespace ThermoContact
 
 
 
-  CoefficientValues
+  EquationFactors
   RodProfile::at_end(const bool is_left) const
   {
     const double inside = Tolerances::rounding_of_data * length;

@@ -39,7 +39,7 @@ namespace ThermoContact
 
 
 
-  CoefficientValues
+  EquationFactors
   BodyRow::of_rod(const unsigned int number,
                   const double       x,
                   const double       theta) const
@@ -58,7 +58,7 @@ namespace ThermoContact
 
 
 
-  CoefficientValues
+  EquationFactors
   BodyRow::in_equations(const unsigned int number,
                         const double       x,
                         const double       theta) const
@@ -66,8 +66,8 @@ namespace ThermoContact
     if (cells[number].varies || theta == 0.)
       return cells[number].varies ? of_rod(number, x, theta) :
                                     cells[number].whole;
-    CoefficientValues result = cells[number].whole;
-    const auto        beyond =
+    EquationFactors result = cells[number].whole;
+    const auto      beyond =
       beyond_zero(number, {of_rod(number, x, theta), {}}, of_rod(number, x))
         .value;
     // the stress alone
@@ -79,25 +79,25 @@ namespace ThermoContact
 
 
 
-  CoefficientTangents
-  BodyRow::beyond_zero(const unsigned int         cell,
-                       const CoefficientTangents &at_theta,
-                       const CoefficientValues   &at_zero) const
+  EquationTangents
+  BodyRow::beyond_zero(const unsigned int      cell,
+                       const EquationTangents &at_theta,
+                       const EquationFactors  &at_zero) const
   {
-    CoefficientTangents      beyond = at_theta;
-    const CoefficientValues &whole  = cells[cell].whole;
-    for (const auto part : {&CoefficientValues::heat_mass,
-                            &CoefficientValues::conduction,
-                            &CoefficientValues::coupling,
-                            &CoefficientValues::stiffness,
-                            &CoefficientValues::viscosity})
+    EquationTangents       beyond = at_theta;
+    const EquationFactors &whole  = cells[cell].whole;
+    for (const auto part : {&EquationFactors::heat_mass,
+                            &EquationFactors::conduction,
+                            &EquationFactors::coupling,
+                            &EquationFactors::stiffness,
+                            &EquationFactors::viscosity})
       {
         beyond.value.*part -= at_zero.*part;
-        if (cells[cell].varies || part == &CoefficientValues::heat_mass)
+        if (cells[cell].varies || part == &EquationFactors::heat_mass)
           continue;
         // thermal strains a/E add up along a cell
-        const auto in_series = part == &CoefficientValues::coupling ?
-                                 &CoefficientValues::stiffness :
+        const auto in_series = part == &EquationFactors::coupling ?
+                                 &EquationFactors::stiffness :
                                  part;
         if (at_zero.*in_series != 0.)
           {
@@ -277,8 +277,8 @@ namespace ThermoContact
         }
       else if (has_rod)
         {
-          const BodyParameters   &rod = one.is_mass() ? *other : one;
-          const CoefficientValues end =
+          const BodyParameters &rod = one.is_mass() ? *other : one;
+          const EquationFactors end =
             RodProfile(parameters, rod).at_end(one.is_mass());
           contacts.push_back({name,
                               mass / std::sqrt(parameters.model.inertia *
@@ -439,7 +439,7 @@ namespace ThermoContact
                                number,
                                begin,
                                varies,
-                               varies ? CoefficientValues() :
+                               varies ? EquationFactors() :
                                         profile.of_cell(begin, begin + size)});
           begin += size;
         }

@@ -160,16 +160,16 @@ namespace ThermoContact
     State       &state = result.state;
     const Vector old_temperature(state.temperature);
     const Vector old_displacement(state.displacement);
-    Vector       load = nonlinear_forces(state, nullptr);
+    Vector       before_and_after = nonlinear_forces(state, nullptr);
     move();
     book_boundaries(old_temperature, old_displacement, result);
     Vector change(state.displacement);
     change -= old_displacement;
-    load += nonlinear_forces(state, nullptr);
+    before_and_after += nonlinear_forces(state, nullptr);
     return body.energy.work_of_motion(momentum_load(state.load_time),
                                       state,
                                       change) +
-           0.5 * (load * change) /
+           0.5 * (before_and_after * change) /
              body.discretization.geometry().cross_section();
   }
 

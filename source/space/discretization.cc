@@ -23,7 +23,7 @@ namespace ThermoContact
   namespace
   {
     /** A body whose coefficients are those of the scene. */
-    const CoefficientValues one_everywhere{1., 1., 1., 1., 1., 1., 1.};
+    const EquationFactors one_everywhere{1., 1., 1., 1., 1., 1., 1.};
 
 
 
@@ -440,7 +440,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  CoefficientValues
+  EquationFactors
   Discretization<dim>::in_equations(const Cell       &cell,
                                     const Point<dim> &place,
                                     const double      theta) const
@@ -453,7 +453,7 @@ namespace ThermoContact
 
 
   template <int dim>
-  CoefficientValues
+  EquationFactors
   Discretization<dim>::of_material(const Cell       &cell,
                                    const Point<dim> &place,
                                    const double      theta) const

@@ -392,7 +392,7 @@ namespace ThermoContact
   {
     if (!discretization.has_bodies() || discretization.coefficients_vary(cell))
       return 1.; // within the integrals
-    const CoefficientValues whole =
+    const EquationFactors whole =
       discretization.in_equations(cell, cell->center());
     switch (kind)
       {
@@ -521,7 +521,7 @@ namespace ThermoContact
     const bool varies    = discretization.coefficients_vary(cell);
     const auto integrate = [&](const FEValues<dim> &values,
                                const auto          &is_wanted) {
-      std::vector<CoefficientValues> at(values.n_quadrature_points);
+      std::vector<EquationFactors> at(values.n_quadrature_points);
       for (const unsigned int q : values.quadrature_point_indices())
         if (varies)
           at[q] = discretization.of_material(cell, values.quadrature_point(q));
@@ -577,7 +577,7 @@ namespace ThermoContact
     WeightsAt<dim> weights; // 1, with factors of the cell
     if (varies)
       weights = [&](const Point<dim> &place) -> ProductWeights {
-        const CoefficientValues at = material_at(place);
+        const EquationFactors at = material_at(place);
         return {at.conduction,
                 at.stiffness,
                 at.coupling,

@@ -291,7 +291,7 @@ namespace ThermoContact
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const auto factor = [&](double CoefficientValues::*const part) {
+          const auto factor = [&](double EquationFactors::*const part) {
             return [this, &cell, part](const Point<dim> &place) {
               return discretization.in_equations(cell, place).*part;
             };
@@ -306,12 +306,12 @@ namespace ThermoContact
                 add(fe_values,
                     *data.heat_source,
                     Field::temperature,
-                    factor(&CoefficientValues::section));
+                    factor(&EquationFactors::section));
               if (data.body_force)
                 add(fe_values,
                     *data.body_force,
                     Field::displacement,
-                    factor(&CoefficientValues::inertia));
+                    factor(&EquationFactors::inertia));
             }
           distribute(cell);
         }

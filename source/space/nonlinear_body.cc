@@ -65,14 +65,14 @@ namespace ThermoContact
     const std::vector<CellBasis<dim>> &basis;
     const Material                    &material;
     const Elasticity                  &elasticity;
-    CoefficientTangents                beyond{};
+    EquationTangents                   beyond{};
 
     double         theta = 0., rate = 0.;
     Tensor<1, dim> gradient{};
     Strain         strain{}, strain_rate{};
 
     SymmetricTensor<2, 3>
-    stress(const CoefficientValues &coefficients) const
+    stress(const EquationFactors &coefficients) const
     {
       return stress_of(material,
                        coefficients,
@@ -153,7 +153,7 @@ namespace ThermoContact
     std::vector<types::global_dof_index> dofs(n);
     std::vector<double>                  value(n), rate(n);
     auto                                 next = known.begin();
-    std::string                          fault; // of this rank
+    CollectedErrors<InputError>          errors;
     for_each_cell([&](const Cell &cell) {
       cell->get_dof_indices(dofs);
       for (unsigned int i = 0; i < n; ++i)
@@ -180,26 +180,19 @@ namespace ThermoContact
                   point.strain.add(value[i], f.strain);
                   point.strain_rate.add(rate[i], f.strain);
                 }
-              try
-                {
-                  point.beyond =
-                    discretization.material()->tangents(next->place,
-                                                        point.theta,
-                                                        &next->values);
-                  point.beyond.value -= next->at_zero;
-                }
-              catch (const InputError &error)
-                {
-                  fault = error.what();
-                }
+              errors.collect([&]() {
+                point.beyond =
+                  discretization.material()->tangents(next->place,
+                                                      point.theta,
+                                                      &next->values);
+                point.beyond.value -= next->at_zero;
+              });
               (*at)(point);
             }
         }
       at_cell(cell);
     });
-    fault = first_fault(fault, discretization.communicator());
-    if (!fault.empty())
-      throw InputError(fault);
+    errors.throw_on_all_ranks(discretization.communicator());
   }
 
 
@@ -221,9 +214,9 @@ namespace ThermoContact
   NonlinearBody<dim>::add_residual(const Point            &at,
                                    dealii::Vector<double> &residual) const
   {
-    const CoefficientValues &beyond = at.beyond.value;
-    const Tensor<1, dim>     flux = at.weight * beyond.conduction * at.gradient;
-    const double             source =
+    const EquationFactors &beyond = at.beyond.value;
+    const Tensor<1, dim>   flux   = at.weight * beyond.conduction * at.gradient;
+    const double           source =
       at.weight * material.heating * beyond.coupling * at.strain_rate.trace;
     const SymmetricTensor<2, 3> stress = at.weight * at.stress(beyond);
     for (const unsigned int i : places[Field::temperature])
@@ -354,9 +347,9 @@ namespace ThermoContact
     const auto at_rest = [&](const Point &at) {
       if (residual != nullptr)
         add_residual(at, residual->of_cell);
-      const CoefficientValues &value = at.beyond.value,
-                              slope  = with_slopes ? at.beyond.slope :
-                                                     CoefficientValues();
+      const EquationFactors &value = at.beyond.value,
+                            slope =
+                              with_slopes ? at.beyond.slope : EquationFactors();
       const double source =
         material.heating * slope.coupling * at.strain_rate.trace;
       // derivative of the stress in the temperature, over -a

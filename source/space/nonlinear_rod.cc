@@ -86,9 +86,9 @@ namespace ThermoContact
           result += basis[i] * values.begin()[layout.node(cell.number, i)];
       return result;
     };
-    const auto visit_points = [&](const std::vector<Point>             &all,
-                                  const std::vector<CoefficientValues> &at_zero,
-                                  const auto                           &at) {
+    const auto visit_points = [&](const std::vector<Point>           &all,
+                                  const std::vector<EquationFactors> &at_zero,
+                                  const auto                         &at) {
       for (unsigned int q = 0; q < all.size(); ++q)
         {
           const Point &point = all[q];
@@ -98,10 +98,10 @@ namespace ThermoContact
                             sum(point.value, rates.temperature_rate),
                             sum(point.slope, state.displacement) / cell.size,
                             sum(point.slope, rates.velocity) / cell.size};
-          const auto   now =
-            with_slopes ? cell.profile->tangents(x, local.theta) :
-                            CoefficientTangents{cell.profile->at(x, local.theta),
-                                              CoefficientValues()};
+          const auto   now = with_slopes ?
+                               cell.profile->tangents(x, local.theta) :
+                               EquationTangents{cell.profile->at(x, local.theta),
+                                              EquationFactors()};
           at(point,
              point.weight * cell.size,
              local,
@@ -127,18 +127,18 @@ namespace ThermoContact
         state,
         rates,
         false,
-        [&](const Point               &point,
-            const double               weight,
-            const Local               &at,
-            const CoefficientTangents &beyond) {
+        [&](const Point            &point,
+            const double            weight,
+            const Local            &at,
+            const EquationTangents &beyond) {
           for (unsigned int i = 0; i < layout.nodes_per_cell(); ++i)
             heat.begin()[layout.node(cell.number, i)] -=
               weight * beyond.value.heat_mass * at.rate * point.value[i];
         },
-        [&](const Point               &point,
-            const double               weight,
-            const Local               &at,
-            const CoefficientTangents &beyond) {
+        [&](const Point            &point,
+            const double            weight,
+            const Local            &at,
+            const EquationTangents &beyond) {
           const double source = material.heating * beyond.value.coupling *
                                 at.strain_rate,
                        flux   = beyond.value.conduction * at.theta_x,
@@ -206,10 +206,10 @@ namespace ThermoContact
           state,
           rates,
           with_slopes,
-          [&](const Point               &point,
-              const double               weight,
-              const Local               &at,
-              const CoefficientTangents &beyond) {
+          [&](const Point            &point,
+              const double            weight,
+              const Local            &at,
+              const EquationTangents &beyond) {
             add(RodMatrices::heat_mass,
                 weight * beyond.value.heat_mass,
                 point.value,
@@ -219,14 +219,13 @@ namespace ThermoContact
                 point.value,
                 point.value);
           },
-          [&](const Point               &point,
-              const double               weight,
-              const Local               &at,
-              const CoefficientTangents &beyond) {
-            const CoefficientValues &value = beyond.value,
-                                    &slope = beyond.slope;
-            const double by_slope          = weight / cell.size;
-            const double by_slopes         = by_slope / cell.size;
+          [&](const Point            &point,
+              const double            weight,
+              const Local            &at,
+              const EquationTangents &beyond) {
+            const EquationFactors &value = beyond.value, &slope = beyond.slope;
+            const double           by_slope  = weight / cell.size;
+            const double           by_slopes = by_slope / cell.size;
             add(RodMatrices::conduction,
                 by_slopes * value.conduction,
                 point.slope,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <thermocontact/base/collective.h>
+#include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/special_numbers.h>
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/space/cell_shape.h>
@@ -132,6 +133,7 @@ namespace ThermoContact
     const ShownFields<dim>               shown(scene, discretization, state);
     std::vector<types::global_dof_index> dofs(
       discretization.finite_element().dofs_per_cell);
+    CollectedErrors<InputError> errors;
     for (const NonlinearPlace &one : nonlinear_places)
       {
         one.cell->get_dof_indices(dofs);
@@ -142,10 +144,14 @@ namespace ThermoContact
             elastic += one.stress[i] * shown.values()(dofs[i]);
             of_rate += one.stress[i] * shown.velocities()(dofs[i]);
           }
-        values[stress * n_places + one.place] +=
-          one.weight *
-          shown.stress(one.cell, one.position, theta, theta, elastic, of_rate);
+        errors.collect([&]() {
+          values[stress * n_places + one.place] +=
+            one.weight *
+            shown.stress(
+              one.cell, one.position, theta, theta, elastic, of_rate);
+        });
       }
+    errors.throw_on_all_ranks(discretization.communicator());
   }
 
 
@@ -259,8 +265,9 @@ namespace ThermoContact
       if (weight != 0.)
         shares.push_back({form, place, dof, weight});
     };
-    const bool              has_bodies = discretization.has_bodies();
-    const CoefficientValues in_equations =
+    const bool            has_bodies = discretization.has_bodies();
+    const bool            is_linear  = !scene.sources.has_nonlinear_terms;
+    const EquationFactors in_equations =
       discretization.in_equations(cell, position);
     const double section = discretization.of_material(cell, position).section;
     for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -268,10 +275,11 @@ namespace ThermoContact
         const BasisAt &f = basis[i];
         add(temperature_form, dofs[i], f.theta);
         add(displacement_form, dofs[i] - offset, f.displacement);
-        add(strain_form,
-            dofs[i] - offset,
-            f.stress * in_equations.stiffness / section);
-        if (!has_bodies)
+        if (is_linear)
+          add(strain_form,
+              dofs[i] - offset,
+              f.stress * in_equations.stiffness / section);
+        if (!is_linear || !has_bodies)
           continue;
         add(thermal_form, dofs[i], f.theta * in_equations.coupling / section);
         add(viscous_form,

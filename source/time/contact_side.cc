@@ -45,10 +45,10 @@ namespace ThermoContact
       for (unsigned int c = next; c < row.cells.size() && !row.cells[c].is_gap;
            c -= sign)
         ++side.n_cells;
-      side.inward                    = -sign;
-      const CoefficientValues &whole = cell.whole;
-      const RowBody           &rod   = row.bodies[cell.body];
-      const CoefficientValues  end =
+      side.inward                  = -sign;
+      const EquationFactors &whole = cell.whole;
+      const RowBody         &rod   = row.bodies[cell.body];
+      const EquationFactors  end =
         row.of_rod(next, sign > 0 ? rod.end : rod.begin);
       side.cell_size = cell.size;
       side.impedance =

@@ -32,7 +32,10 @@ namespace ThermoContact
     , driven(body)
     , stages(of_scheme.n_stages())
     , known(body.make_state())
-    , difference(of_scheme.has_error_estimate() ? known : State())
+    , difference(of_scheme.has_error_estimate() ||
+                     in_order.has_error_estimate() ?
+                   known :
+                   State())
     , heat_load(body.discretization.make_vector(Field::temperature))
     , momentum_load(body.discretization.make_vector(Field::displacement))
   {

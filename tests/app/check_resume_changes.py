@@ -149,8 +149,8 @@ def without_space_time(reference, prm):
 
 
 def without_fields(prm):
-    """Snapshots behind a checkpoint without any, by a run that was killed, are not those
-    of the run that goes on from the checkpoint without them."""
+    """A run without snapshots goes on with some, is killed before its next checkpoint, and
+    goes on from its first one without snapshots: neither files nor their list are left."""
     directory = Path("without-fields")
     status = [run(directory, prm, "--set", "Output/Fields interval=0")[0]]
     checkpoint = (directory / "checkpoint.bin").read_bytes()

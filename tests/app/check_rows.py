@@ -6,7 +6,7 @@ hopkinson-bar: rho c A V/2 for 2 L/c at the striker, until its wave is back; the
 sqrt(70/210 2700/7850) Z: the first force it passes on is the incident one times 4 Z Z2/(Z + Z2)^2; later forces
 approach the incident one, at both faces alike.
 horn: the mode of its head; the stress is E u_x of it, whatever the section.
-bolt: the preload of its head, at every row; hot-bar: the force of its head, int theta K/int K/E by the integrals over theta there.
+bolt: the preload of its head, at every row; hot-bar: the force of its head, int theta K/int K/E by the integrals over theta there; its end rests, and the screen shows 0.
 cradle, drop-weight, bouncing-ball: tests/verification/rows.cc; here impulses and events by name.
 rattling-rods: the pressure swings about 1 with growing amplitude, up to where k is cut.
 In fields the bodies stand side by side, and nothing is drawn between them.

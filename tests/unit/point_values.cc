@@ -16,8 +16,8 @@
 //    static scene at t = 0. The value at a node is the nodal value to the last
 //    digit.
 // 4. With the mass of a cell at its middle, four cells and the nodal
-//    velocities 1, -1, 3, -5, 7: nodes inside have 1/4, 1/2 and 1/4 of
-//    themselves and their neighbours, -1/2 + 1/4 + 3/4 = 1/2, 0 and 0, the
+//    velocities 1, -1, 3, -5, 7: nodes inside have half of their own and
+//    a quarter of each neighbour's, -1/2 + 1/4 + 3/4 = 1/2, 0 and 0, the
 //    right end its own, 7; the left end 1/4 if it is moved by t/4, 0 if it is
 //    held. Free, with 3 in the place of -1, it has (1 + 3)/2 = 2, and behind it
 //    are 3/2 + 1/4 + 3/4 = 5/2, 3/2 + 3/4 - 5/4 = 1, 0 and 7.

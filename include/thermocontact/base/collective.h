@@ -98,6 +98,48 @@ namespace ThermoContact
     if (!shared.empty())
       throw Error(shared);
   }
+
+
+
+  /** Errors of single ranks between two collective calls, which all ranks throw
+   * together. */
+  template <typename Error>
+  class CollectedErrors
+  {
+  public:
+    /** Calls @p call; the message of the first Error is kept. */
+    template <class Call>
+    void
+    collect(const Call &call)
+    {
+      try
+        {
+          call();
+        }
+      catch (const Error &error)
+        {
+          if (message.empty())
+            message = error.what();
+        }
+    }
+
+    /**
+     * Collective.
+     *
+     * @throw Error on all ranks, with the message of the first rank that has
+     * one
+     */
+    void
+    throw_on_all_ranks(const MPI_Comm communicator) const
+    {
+      const std::string first = first_fault(message, communicator);
+      if (!first.empty())
+        throw Error(first);
+    }
+
+  private:
+    std::string message;
+  };
 } // namespace ThermoContact
 
 #endif

@@ -16,7 +16,19 @@ namespace ThermoContact
   double
   starting_energy(const StepRecord &record);
 
-  /** The end of the body as it is now, as a steady state has it. */
+  /**
+   * Displacement of the end and gap to look at, nondimensional: 0 where they
+   * are rounding of the strain that the force makes, as between walls, and the
+   * gap, too, where it is rounding of the displacement.
+   */
+  double
+  shown_displacement(const StepRecord &record);
+
+  double
+  shown_gap(const StepRecord &record);
+
+  /** The end of the body as it is now, as a steady state has it, with
+   * shown_displacement(). */
   SteadyState
   final_state(const StepRecord &record);
 

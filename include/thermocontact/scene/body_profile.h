@@ -55,7 +55,7 @@ namespace ThermoContact
      *
      * @throw InputError if a value is not allowed
      */
-    CoefficientValues
+    EquationFactors
     at(const std::array<double, 3> &place, const double theta = 0.) const
     {
       return all.in_equations(variables(place, theta));
@@ -69,7 +69,7 @@ namespace ThermoContact
     }
 
     /** MaterialCoefficients::tangents() there; throws likewise. */
-    CoefficientTangents
+    EquationTangents
     tangents(const std::array<double, 3>              &place,
              const double                              theta,
              const MaterialCoefficients::Values *const known = nullptr) const

@@ -34,22 +34,22 @@ namespace ThermoContact
    * (M10.1), (M10.9), each times the section A of a rod, 1 for dim > 1:
    * stiffness $AE$ and viscosity $AE\zeta$ over P-wave moduli. The Poisson
    * ratio is of profiles alone. */
-  struct CoefficientValues
+  struct EquationFactors
   {
     double section = 0., heat_mass = 0., conduction = 0., coupling = 0.,
            inertia = 0., stiffness = 0., viscosity = 0., poisson_ratio = 0.;
 
-    CoefficientValues &
-    operator-=(const CoefficientValues &other);
+    EquationFactors &
+    operator-=(const EquationFactors &other);
   };
 
   bool
-  operator==(const CoefficientValues &one, const CoefficientValues &other);
+  operator==(const EquationFactors &one, const EquationFactors &other);
 
   /** Coefficients with their derivatives in the temperature. */
-  struct CoefficientTangents
+  struct EquationTangents
   {
-    CoefficientValues value, slope;
+    EquationFactors value, slope;
   };
 
 
@@ -126,7 +126,7 @@ namespace ThermoContact
     at(const Name name, const Variables<Number> &variables) const;
 
     /**
-     * The members of CoefficientValues in their order; throws likewise.
+     * The members of EquationFactors in their order; throws likewise.
      *
      * @param known of coefficients that do not depend on theta; null: none
      */
@@ -136,7 +136,7 @@ namespace ThermoContact
           const Values            *known = nullptr) const;
 
     /** terms() of numbers. */
-    CoefficientValues
+    EquationFactors
     in_equations(const Variables<double> &variables) const;
 
     /** @throw InputError if a value is not allowed */
@@ -146,7 +146,7 @@ namespace ThermoContact
     /** in_equations() with the derivatives in theta of the branch that holds.
      *
      * @param known values() there at any theta; null: none are known */
-    CoefficientTangents
+    EquationTangents
     tangents(const Variables<double> &variables,
              const Values            *known = nullptr) const;
 

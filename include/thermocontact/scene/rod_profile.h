@@ -45,16 +45,16 @@ namespace ThermoContact
      *
      * @throw InputError if a value is not allowed
      */
-    CoefficientValues
+    EquationFactors
     at(const double x, const double theta = 0.) const;
 
     /** at(), with the derivatives in the temperature of the branch that holds;
      * throws likewise. */
-    CoefficientTangents
+    EquationTangents
     tangents(const double x, const double theta) const;
 
     /** Right inside one of the ends. */
-    CoefficientValues
+    EquationFactors
     at_end(const bool is_left) const;
 
     /** Parts between jumps and kinks, at least one. */
@@ -72,7 +72,7 @@ namespace ThermoContact
      * The constants of a linear cell, (M10.7): means, of stiffness and
      * conductivity over the parts in series.
      */
-    CoefficientValues
+    EquationFactors
     of_cell(const double begin, const double end) const;
 
     /** The time $\int\sqrt{b\rho/E}\,dx$ in which a wave passes each part. */

@@ -21,10 +21,10 @@ namespace ThermoContact
     double size   = 0.;
     bool   is_gap = false;
 
-    unsigned int      body   = 0;     ///< of a rod
-    double            begin  = 0.;    ///< in the rod
-    bool              varies = false; ///< the coefficients do within the cell
-    CoefficientValues whole;          ///< of the cell; none if it varies
+    unsigned int    body   = 0;     ///< of a rod
+    double          begin  = 0.;    ///< in the rod
+    bool            varies = false; ///< the coefficients do within the cell
+    EquationFactors whole;          ///< of the cell; none if it varies
   };
 
 
@@ -113,7 +113,7 @@ namespace ThermoContact
 
     /** Coefficients of the equations in a cell, @p x in the row; of a cell with
      * means heat and conduction are those at $\theta=0$. */
-    CoefficientValues
+    EquationFactors
     in_equations(const unsigned int cell,
                  const double       x,
                  const double       theta = 0.) const;
@@ -121,7 +121,7 @@ namespace ThermoContact
     /** Coefficients of the rod there, (M10.7), (M10.8).
      *
      * @throw InputError if a value is not allowed */
-    CoefficientValues
+    EquationFactors
     of_rod(const unsigned int cell,
            const double       x,
            const double       theta = 0.) const;
@@ -131,10 +131,10 @@ namespace ThermoContact
      * $\theta=0$, (M10.8): the difference at a place, where the cell has means
      * of stiffnesses in series as a part of these.
      */
-    CoefficientTangents
-    beyond_zero(const unsigned int         cell,
-                const CoefficientTangents &at_theta,
-                const CoefficientValues   &at_zero) const;
+    EquationTangents
+    beyond_zero(const unsigned int      cell,
+                const EquationTangents &at_theta,
+                const EquationFactors  &at_zero) const;
 
     /** The coefficients of a rod depend on its temperature. */
     bool

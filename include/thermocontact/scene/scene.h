@@ -536,7 +536,7 @@ namespace ThermoContact
     bool has_driven_temperature; ///< of the fixed end
     bool has_moving_end;         ///< the fixed end
     bool has_moving_obstacle;
-    bool has_nonlinear_terms; ///< what coefficients of the temperature add,
+    bool has_nonlinear_terms; ///< of coefficients of the temperature,
                               ///< (M10.8)
 
     bool

@@ -3,13 +3,11 @@
 #ifndef thermocontact_simulation_measurements_h
 #define thermocontact_simulation_measurements_h
 
-#include <thermocontact/base/tolerances.h>
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/space/body.h>
 #include <thermocontact/space/point_values.h>
 #include <thermocontact/space/state.h>
 
-#include <cmath>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -81,17 +79,6 @@ namespace ThermoContact
     double obstacle_displacement = 0.; ///< of one that has a mass
     double obstacle_velocity     = 0.;
     double obstacle_temperature  = 0.;
-
-    /** A displacement of the end or a gap to look at: 0 where it is rounding of
-     * the strain that the force makes, as between walls. */
-    double
-    shown_length(const double length) const
-    {
-      return std::abs(length) <=
-                 Tolerances::rounding_of_solution * std::abs(contact_force) ?
-               0. :
-               length;
-    }
 
     EnergyTerms energy_terms; ///< the terms of energy; not in the file
 

@@ -211,14 +211,14 @@ namespace ThermoContact
     }
 
     /** The factors of the terms of the equations at a place of a cell. */
-    CoefficientValues
+    EquationFactors
     in_equations(const Cell       &cell,
                  const Point<dim> &place,
                  const double      theta = 0.) const;
 
     /** The same of the material there, where the cell of a rod has means,
      * (M10.7). */
-    CoefficientValues
+    EquationFactors
     of_material(const Cell       &cell,
                 const Point<dim> &place,
                 const double      theta = 0.) const;

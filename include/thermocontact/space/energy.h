@@ -91,15 +91,16 @@ namespace ThermoContact
     lateral_dissipation_rate(const State &state) const;
 
     /**
-     * Dissipation at the contact per time, (D4.7): work of the action of the
-     * obstacle that it does not store. Collective.
+     * Dissipation at the contact per time, (D4.7): the work that the obstacle
+     * takes from the body and does not store; 0 without damping. Collective.
      */
     double
     damping_rate(const State &state) const;
 
     /**
      * Power of an obstacle that moves, (D4.8): its action on the body times its
-     * velocity, per unit cross-section.
+     * velocity, $-\sum_iw_ip_ig'_i$ per unit cross-section, positive where it
+     * moves towards the body.
      */
     double
     obstacle_power(const State &state) const;

@@ -53,7 +53,7 @@ namespace ThermoContact
     {
       std::array<double, 3>        place;
       MaterialCoefficients::Values values;  ///< at $\theta=0$
-      CoefficientValues            at_zero; ///< likewise
+      EquationFactors              at_zero; ///< likewise
       Elasticity                   elasticity;
     };
 

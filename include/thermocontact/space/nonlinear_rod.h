@@ -53,7 +53,7 @@ namespace ThermoContact
       const RodProfile *profile;
 
       /** At $\theta=0$, at the points of the mass and of the others. */
-      std::vector<CoefficientValues> of_mass, of_rest;
+      std::vector<EquationFactors> of_mass, of_rest;
     };
 
     const SceneFields &fields;

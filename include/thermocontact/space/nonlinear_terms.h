@@ -81,11 +81,11 @@ namespace ThermoContact
    */
   template <typename Stress>
   Stress
-  stress_of(const Material          &material,
-            const CoefficientValues &coefficients,
-            const Stress            &thermal,
-            const Stress            &elastic,
-            const Stress            &of_rate)
+  stress_of(const Material        &material,
+            const EquationFactors &coefficients,
+            const Stress          &thermal,
+            const Stress          &elastic,
+            const Stress          &of_rate)
   {
     return coefficients.stiffness * elastic +
            material.viscosity * coefficients.viscosity * of_rate -

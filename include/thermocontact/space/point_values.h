@@ -81,6 +81,8 @@ namespace ThermoContact
      * @return on all ranks, valid until the next call: the values of the first
      *   quantity at all places, then those of the next. NaN for a field that
      * the scene does not have, and for the velocity at $t=0$ if $b=\zeta=0$.
+     * @throw InputError on all ranks if a coefficient has a value at a place
+     * that is not allowed
      */
     const std::vector<double> &
     evaluate(const State &state);
@@ -144,8 +146,8 @@ namespace ThermoContact
     std::vector<BasisAt>
     basis_at(const Cell &cell, const Point<dim> &position) const;
 
-    /** A cell of a place in a body whose coefficients depend on the
-     * temperature, (M10.8). */
+    /** A cell of a place, in a scene that has coefficients of the temperature,
+     * (M10.8). */
     struct NonlinearPlace
     {
       unsigned int        place;
@@ -192,11 +194,12 @@ namespace ThermoContact
     find_nonlinear_places(const std::vector<Place<dim>> &places,
                           const std::vector<double>     &n_cells);
 
-    /** The stress of coefficients that depend on the temperature. */
+    /** The stress in a scene that has coefficients of the temperature. Throws
+     * as evaluate(). */
     void
     add_nonlinear_stress(const State &state);
 
-    /** The stress of all others, by forms. */
+    /** The stress in all other scenes, by forms. */
     void
     add_linear_stress(const State &state, const Vector &velocity);
 

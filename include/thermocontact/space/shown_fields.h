@@ -60,6 +60,8 @@ namespace ThermoContact
      * @param cell,place,theta where it is, and the temperature there
      * @param thermal,elastic,of_rate arguments of stress_of(), of the
      *   displacement and of the velocity to look at
+     * @throw InputError on this rank if a coefficient has a value that is not
+     *   allowed
      */
     template <typename Stress>
     Stress

@@ -99,17 +99,18 @@ namespace ThermoContact
       return {{&temperature, &displacement, &velocity}};
     }
 
-    /** Rates of this layout. */
+    /** Rates become zero, of this layout. */
     void
     set_layout(Rates &rates) const
     {
       for (unsigned int k = 0; k < vectors().size(); ++k)
-        *rates.vectors()[k] = *vectors()[k];
+        rates.vectors()[k]->reinit(*vectors()[k]);
     }
 
     /**
-     * Temperature and displacement at the end of a stage of length @p tau from
-     * @p known ones, which may be its own. The velocity is their rate there.
+     * Temperature and displacement become the ones at the end of a stage of
+     * length @p tau from @p known values, which may be its own. The velocity
+     * stays as it is.
      */
     void
     advance(const State &known, const double tau, const Rates &rates)

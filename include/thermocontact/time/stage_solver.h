@@ -11,7 +11,6 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
