@@ -352,8 +352,7 @@ namespace ThermoContact
       .means("Temperature of the body without stress, K; also of the body, the "
              "obstacle and the surroundings unless they are given.",
              "temperature");
-    entry
-      .unbound("Small terms", "automatic", Selection("automatic|kept|dropped"))
+    entry("Small terms", small_terms, Selection("automatic|kept|dropped"))
       .means(
         "Inertia and viscosity: kept, dropped, or automatic: dropped where "
         "their times, of a wave through the body and of relaxation, are "

@@ -27,7 +27,10 @@ namespace ThermoContact
              (std::isnan(rate) || !(before.value > 0.)))
       of_parabola = std::max(of_parabola, vertex());
     if (!std::isnan(rate))
-      of_cubics = std::max(of_cubics, top_of_step());
+      {
+        double &top = has_kink() ? of_kinks : of_cubics;
+        top         = std::max(top, top_of_step());
+      }
   }
 
 
@@ -63,5 +66,21 @@ namespace ThermoContact
                      1.)
         .first;
     return cubic.value(x);
+  }
+
+
+
+  bool
+  SampledPeak::has_kink() const
+  {
+    if (n_samples < 2)
+      return false;
+    // The slope of the secant is the mean of the rates to second order in the
+    // step where the force is smooth. Behind a kink at the beginning, where the
+    // force is straight, it is the rate at the end, off by half of the change
+    // of the rate; half of that is between the two.
+    const double secant = (now.value - last.value) / (now.time - last.time);
+    return std::abs(secant - 0.5 * (last.rate + now.rate)) >
+           0.25 * std::abs(now.rate - last.rate);
   }
 } // namespace ThermoContact

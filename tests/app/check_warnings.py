@@ -506,8 +506,9 @@ def main():
     # of a row; other ranks than before; the mesh; break points after the end; energy that the
     # scheme takes; a first contact that is missed; a peak of the mesh; what rounding leaves;
     # contact nodes that bounce; steps too long for masses of a row; bodies of a row that press
-    # at the start; one place that takes all those of a run
-    print("kinds of warnings in the sources:", "known" if places == 22 else places)
+    # at the start; inertia that the program leaves out where a force jumps (left_out_inertia);
+    # one place that takes all those of a run
+    print("kinds of warnings in the sources:", "known" if places == 23 else places)
 
 
 main()

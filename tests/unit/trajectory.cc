@@ -20,6 +20,9 @@
 //    from 0 to 1.5 has its largest value 11/6 at t = 1 and falls to t = 2,
 //    behind its end; without rates the parabola 5 - (t - 1.2)^2 through t = 0,
 //    1 and 2 has 5, of its first two samples the larger one, 4.96, counts.
+//    The force 2 - |t - 1| has a kink at t = 1, whose rate is the one in front:
+//    the cubic 2 + s - 4 s^2 + 2 s^3 behind it is an estimate, 2.06709 at
+//    s = (4 - sqrt(10))/6, and no value: 2.
 
 #include <thermocontact/simulation/sampled_peak.h>
 #include <thermocontact/study/trajectory.h>
@@ -161,7 +164,13 @@ namespace
         of_parabola.add(t, 5. - (t - 1.2) * (t - 1.2));
         deallog << ' ' << of_parabola.estimate();
       }
-    deallog << std::endl;
+    SampledPeak of_kink;
+    of_kink.add(0.5, 1.5, 1.);
+    of_kink.add(1., 2., 1.);
+    of_kink.add(2., 1., -1.);
+    deallog << std::endl
+            << "of a kink " << of_kink.top() << ", estimate "
+            << of_kink.estimate() << std::endl;
   }
 } // namespace
 

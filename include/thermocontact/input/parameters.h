@@ -475,7 +475,8 @@ namespace ThermoContact
    */
   struct RodParameters
   {
-    double length = 0.; ///< m; 0: there is no such section
+    double      length      = 0.; ///< m; 0: there is no such section
+    std::string small_terms = "automatic";
 
     void
     add_parameters(ParameterHandler &prm);

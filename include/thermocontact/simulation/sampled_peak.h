@@ -14,8 +14,9 @@ namespace ThermoContact
    * have been between them, (D9.2): with rates the largest value of the cubics
    * that have the values and the rates of the ends of a step; without them, or
    * where the step before the largest value has no cubic, the vertex of the
-   * parabola through the largest value and its neighbours.
-   * Arithmetic only.
+   * parabola through the largest value and its neighbours. A cubic beside a
+   * kink, whose rates do not go with its values, is a doubt: an estimate, no
+   * value. Arithmetic only.
    */
   class SampledPeak
   {
@@ -28,7 +29,7 @@ namespace ThermoContact
     void
     add(const double time, const double value, const double rate = nan);
 
-    /** The largest of all values and cubics. */
+    /** The largest of all values and of the cubics without a kink. */
     double
     top() const
     {
@@ -39,14 +40,15 @@ namespace ThermoContact
     double
     estimate() const
     {
-      return std::max(of_parabola, of_cubics);
+      return std::max({of_parabola, of_cubics, of_kinks});
     }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &before &last &now &n_samples &largest &of_parabola &of_cubics;
+      archive &before &last &now &n_samples &largest &of_parabola &of_cubics
+        &of_kinks;
     }
 
   private:
@@ -68,7 +70,8 @@ namespace ThermoContact
     unsigned int n_samples   = 0;
     double       largest     = 0.;
     double       of_parabola = 0.; ///< not below the largest
-    double       of_cubics   = 0.;
+    double       of_cubics   = 0.; ///< of steps without a kink
+    double       of_kinks    = 0.; ///< of cubics of the other steps
 
     /** Of the parabola through all three samples. */
     double
@@ -77,6 +80,10 @@ namespace ThermoContact
     /** Of the cubic between the last two. */
     double
     top_of_step() const;
+
+    /** The rates at the ends of the last step do not go with its values. */
+    bool
+    has_kink() const;
   };
 } // namespace ThermoContact
 

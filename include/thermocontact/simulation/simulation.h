@@ -315,6 +315,10 @@ namespace ThermoContact
     const LoadBreak *
     pass_break();
 
+    /** Where a force jumps: the program has decided that nothing swings. */
+    void
+    warn_of_left_out_inertia();
+
     /**
      * @p action changes the present state, whose energy is @p energy; the
      * result has what it costs.
