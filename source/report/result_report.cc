@@ -73,7 +73,7 @@ namespace ThermoContact
       };
       add(at_end("u", scene),
           "length",
-          final_state(record).displacement_end,
+          shown_displacement(record),
           rest.displacement_end);
       add(at_end("theta", scene),
           "temperature difference",

@@ -16,14 +16,13 @@ namespace ThermoContact
   double
   starting_energy(const StepRecord &record);
 
-  /**
-   * Displacement of the end and gap to look at, nondimensional: 0 where they
-   * are rounding of the strain that the force makes, as between walls, and the
-   * gap, too, where it is rounding of the displacement.
-   */
+  /** Displacement of the end to look at, nondimensional: 0 where it is rounding
+   * of the strain that the force makes, as between walls. */
   double
   shown_displacement(const StepRecord &record);
 
+  /** Gap to look at, likewise, and 0 where it is rounding of the displacement.
+   */
   double
   shown_gap(const StepRecord &record);
 

@@ -81,7 +81,8 @@ namespace ThermoContact
     double
     top_of_step() const;
 
-    /** The rates at the ends of the last step do not go with its values. */
+    /** True if the secant of the last step is nearer to the rate at one of its
+     * ends than to the mean of both; false without rates. */
     bool
     has_kink() const;
   };

@@ -315,7 +315,8 @@ namespace ThermoContact
     const LoadBreak *
     pass_break();
 
-    /** Where a force jumps: the program has decided that nothing swings. */
+    /** Warns, of a jump of a force, if the program has left out inertia by
+     * itself, in a file in SI units: the body would swing. */
     void
     warn_of_left_out_inertia();
 
