@@ -109,8 +109,7 @@ namespace ThermoContact
         const IntervalJet     all = load.enclosure(span);
         const TimeDerivatives at  = load.derivatives(middle);
         note_value(at.value);
-        if (all.value.is_finite() && all.first.is_finite() &&
-            all.second.is_finite() && is_smooth(all, at, span))
+        if (is_smooth(all, at, span))
           return;
         if (!(middle > span.low && middle < span.high) ||
             span.width() < start * end_time)
@@ -130,14 +129,10 @@ namespace ThermoContact
                 const TimeDerivatives &at,
                 const Interval        &span)
       {
-        const double h    = span.width();
-        const double miss = all.second.width() * h * h / 8.;
-        const double change =
-          std::abs(at.first) * h + std::abs(at.second) * h * h / 8.;
-        if (miss > nearly_parabolic * change && miss > threshold() &&
-            all.first.width() * h / 4. > threshold())
+        const double h = span.width();
+        if (!is_nearly_parabolic(all, at, h, threshold()))
           return false;
-        if (all.first.width() * h / 4. > threshold() && miss > 0.)
+        if (all.first.width() * h / 4. > threshold() && all.second.width() > 0.)
           {
             // the same of a longer span, in which the third derivative is
             const double third = all.second.width() / h;
@@ -232,6 +227,24 @@ namespace ThermoContact
       }
     };
   } // namespace
+
+
+
+  bool
+  is_nearly_parabolic(const IntervalJet &all,
+                      const NumberJet   &middle,
+                      const double       h,
+                      const double       negligible)
+  {
+    if (!all.value.is_finite() || !all.first.is_finite() ||
+        !all.second.is_finite())
+      return false;
+    const double miss = all.second.width() * h * h / 8.;
+    const double change =
+      std::abs(middle.first) * h + std::abs(middle.second) * h * h / 8.;
+    return miss <= nearly_parabolic * change || miss <= negligible ||
+           all.first.width() * h / 4. <= negligible;
+  }
 
 
 

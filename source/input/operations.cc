@@ -85,17 +85,51 @@ namespace ThermoContact
       return x.value;
     }
 
-    /** One or the other; in a span of time perhaps both, numbers decide. */
-    template <typename Number>
-    Number
-    choose(const boost::tribool takes_a, const Number &a, const Number &b)
+    /** False for one that is the same all along the variable. */
+    bool
+    varies(const IntervalJet &x)
     {
-      if constexpr (std::is_same_v<Number, IntervalJet>)
-        if (boost::indeterminate(takes_a))
-          return {hull(a.value, b.value),
-                  Interval::everything(),
-                  Interval::everything()};
+      return x.first.low != 0. || x.first.high != 0.;
+    }
+
+    /**
+     * One or the other; where @p takes_a is open both. If nothing that it
+     * depends on varies along the variable there is no jump: all along it is
+     * the one or all along the other.
+     */
+    IntervalJet
+    choose(const boost::tribool takes_a,
+           const IntervalJet   &a,
+           const IntervalJet   &b,
+           const bool           may_jump)
+    {
+      if (!boost::indeterminate(takes_a))
+        return takes_a ? a : b;
+      if (may_jump)
+        return {hull(a.value, b.value),
+                Interval::everything(),
+                Interval::everything()};
+      return {hull(a.value, b.value),
+              hull(a.first, b.first),
+              hull(a.second, b.second)};
+    }
+
+    template <typename Number>
+    const Number &
+    choose(const boost::tribool takes_a,
+           const Number        &a,
+           const Number        &b,
+           const bool)
+    {
       return takes_a ? a : b;
+    }
+
+    /** A number decides. */
+    template <typename Number>
+    bool
+    varies(const Number &)
+    {
+      return false;
     }
 
     /** The smaller or the larger one of two. */
@@ -114,7 +148,8 @@ namespace ThermoContact
             return {{of(a.value.low, b.value.low),
                      of(a.value.high, b.value.high)},
                     hull(a.first, b.first),
-                    Interval::everything()};
+                    varies(a - b) ? Interval::everything() :
+                                    hull(a.second, b.second)};
           }
       return takes_b ? b : a;
     }
@@ -158,9 +193,10 @@ namespace ThermoContact
       {
         add(sign, 2, level, [is_so](const auto *x) {
           using Number = std::decay_t<decltype(*x)>;
-          return choose(is_so(value_of(x[0]), value_of(x[1])),
-                        Number(1.),
-                        Number(0.));
+          return Number(choose(is_so(value_of(x[0]), value_of(x[1])),
+                               Number(1.),
+                               Number(0.),
+                               varies(x[0]) || varies(x[1])));
         });
       }
 
@@ -211,8 +247,9 @@ namespace ThermoContact
           if constexpr (std::is_same_v<Number, IntervalJet>)
             {
               const Interval value(number(x->value.low), number(x->value.high));
-              const Interval slope =
-                value.width() == 0. ? Interval(0.) : Interval::everything();
+              const Interval slope = value.width() == 0. || !varies(*x) ?
+                                       Interval(0.) :
+                                       Interval::everything();
               return IntervalJet(value, slope, slope);
             }
           else
@@ -279,7 +316,8 @@ namespace ThermoContact
         return extremum(x[0], x[1], true);
       });
       list.function("if", 3, [](const auto *x) {
-        return choose(!(value_of(x[0]) == 0.), x[1], x[2]);
+        return std::decay_t<decltype(*x)>(
+          choose(!(value_of(x[0]) == 0.), x[1], x[2], varies(x[0])));
       });
       list.function("abs", 1, [](const auto *x) {
         return extremum(*x, std::decay_t<decltype(*x)>(-*x), true);

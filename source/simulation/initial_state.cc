@@ -7,6 +7,7 @@
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/simulation/exchange_of_law.h>
 #include <thermocontact/simulation/initial_state.h>
+#include <thermocontact/space/cell_shape.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/node_laws.h>
 
@@ -110,21 +111,24 @@ namespace ThermoContact
     void
     set_means_of_cells(const Body<1> &body, Vector &velocity)
     {
-      const Scene        &scene     = body.scene;
-      const unsigned int  component = scene.fields.has_temperature ? 1 : 0;
-      const QGauss<1>     rule(8);
-      std::vector<double> means;
+      const Scene           &scene     = body.scene;
+      const unsigned int     component = scene.fields.has_temperature ? 1 : 0;
+      const PiecewiseRule<1> rule(*body.data.initial_velocity,
+                                  {{Point<1>(),
+                                    body.discretization.geometry().corner()}},
+                                  8);
+      std::vector<double>    means;
       for (const auto &cell :
            body.discretization.dof_handler().active_cell_iterators())
         {
-          double mean = 0.;
-          for (unsigned int q = 0; q < rule.size(); ++q)
-            mean += rule.weight(q) *
-                    body.data.initial_velocity->value(
-                      cell->vertex(0) +
-                        rule.point(q)[0] * (cell->vertex(1) - cell->vertex(0)),
-                      component);
-          means.push_back(mean);
+          const Quadrature<1> points =
+            rule(CellShape<1>(cell).bounding_box(), component);
+          double integral = 0.;
+          for (unsigned int q = 0; q < points.size(); ++q)
+            integral +=
+              points.weight(q) *
+              body.data.initial_velocity->value(points.point(q), component);
+          means.push_back(integral / cell->measure());
         }
       double *const v       = velocity.begin();
       const auto    set_rod = [&](const unsigned int first,
@@ -139,6 +143,92 @@ namespace ThermoContact
       for (auto rod = bodies.rbegin(); rod != bodies.rend(); ++rod)
         if (rod->n_cells > 0)
           set_rod(rod->first_cell, rod->first_cell + rod->n_cells);
+    }
+
+
+
+    /**
+     * Warns of an initial temperature of which the nodes of the mesh miss a
+     * part, as of a spot between them. In a cell of a rod the projection has
+     * the mean of the expression from degree 2 on.
+     */
+    template <int dim>
+    void
+    warn_of_lost_heat(const Body<dim>          &body,
+                      const State              &state,
+                      std::vector<std::string> &warnings)
+    {
+      const Discretization<dim>   &discretization = body.discretization;
+      const FiniteElement<dim>    &fe    = discretization.finite_element();
+      const EnclosedFunction<dim> &given = *body.data.initial_fields;
+      if (dim == 1 && fe.degree > 1)
+        return;
+      const PiecewiseRule<dim> rule(given,
+                                    {{Point<dim>(),
+                                      discretization.geometry().corner()}},
+                                    fe.degree + 4);
+      const auto               for_each_cell = [&](const auto &visit) {
+        for (const auto &cell :
+             discretization.dof_handler().active_cell_iterators())
+          if (cell->is_locally_owned() && !discretization.is_gap(cell))
+            visit(cell, CellShape<dim>(cell));
+      };
+      bool is_rough = false;
+      for_each_cell([&](const auto &, const CellShape<dim> &shape) {
+        is_rough = is_rough || !rule.is_smooth(shape.bounding_box(), 0);
+      });
+      if (Utilities::MPI::max(is_rough ? 1 : 0,
+                              discretization.communicator()) == 0)
+        return;
+
+      // integrals of the basis functions
+      Vector weights(discretization.owned_by_block()[Field::temperature],
+                     discretization.relevant_by_block()[Field::temperature],
+                     discretization.communicator());
+      std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+      double                               mean = 0., spread = 0.;
+      const auto                           sum = [&](const double part) {
+        return Utilities::MPI::sum(part, discretization.communicator());
+      };
+      for_each_cell([&](const auto &cell, const CellShape<dim> &shape) {
+        cell->get_dof_indices(dofs);
+        const Quadrature<dim> points = rule(shape.bounding_box(), 0);
+        for (unsigned int q = 0; q < points.size(); ++q)
+          {
+            const Point<dim> place = points.point(q);
+            const double     weight =
+              points.weight(q) * discretization.geometry().weight_at(place);
+            mean += weight * given.value(place, 0);
+            for (unsigned int i = 0; i < fe.base_element(0).dofs_per_cell; ++i)
+              weights(dofs[fe.component_to_system_index(0, i)]) +=
+                weight *
+                fe.base_element(0).shape_value(i, shape.unit_point(place));
+          }
+      });
+      weights.compress(VectorOperation::add);
+      const double volume = weights.l1_norm();
+      mean                = sum(mean) / volume;
+      for_each_cell([&](const auto &, const CellShape<dim> &shape) {
+        const Quadrature<dim> points = rule(shape.bounding_box(), 0);
+        for (unsigned int q = 0; q < points.size(); ++q)
+          spread += points.weight(q) *
+                    discretization.geometry().weight_at(points.point(q)) *
+                    std::abs(given.value(points.point(q), 0) - mean);
+      });
+      spread               = sum(spread) / volume;
+      const double of_mesh = weights * state.temperature / volume;
+      if (std::abs(of_mesh - mean) <= Tolerances::lost_heat * spread)
+        return;
+      const QuantityUnits units(body.scene.parameters);
+      warnings.push_back(
+        text(body.scene.row.is_given() ? "Bodies: the initial temperature" :
+                                         "Initial values/Temperature",
+             " has the mean ",
+             units.text("temperature", mean),
+             ", on the nodes of the mesh ",
+             units.text("temperature", of_mesh),
+             ": it varies between them; remedy: more Mesh/Cells",
+             dim == 1 ? ", or Mesh/Degree = 2 or more" : ""));
     }
 
 
@@ -371,6 +461,8 @@ namespace ThermoContact
       Vector unused(state.temperature);
       projection.project(*body.data.initial_velocity, unused, state.velocity);
     }
+    if (body.scene.fields.has_temperature)
+      warn_of_lost_heat(body, state, warnings);
     discretization.set_zero_in_gaps(state);
     if (const auto entry = discretization.obstacle_entry(Field::displacement))
       state.velocity.begin()[*entry] = body.scene.obstacle_mass->velocity;

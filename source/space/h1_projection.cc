@@ -4,7 +4,6 @@
 #include <thermocontact/space/cell_products.h>
 #include <thermocontact/space/cell_shape.h>
 #include <thermocontact/space/conjugate_gradients.h>
-#include <thermocontact/space/expression_function.h>
 #include <thermocontact/space/h1_projection.h>
 #include <thermocontact/space/linear_map.h>
 
@@ -215,8 +214,8 @@ namespace ThermoContact
 
   template <int dim>
   Vector
-  H1Projection<dim>::rest_of_interpolant(const Function<dim> &function,
-                                         const Field::Block   field) const
+  H1Projection<dim>::rest_of_interpolant(const EnclosedFunction<dim> &function,
+                                         const Field::Block field) const
   {
     const unsigned int        first = discretization.first_component(field);
     const FiniteElement<dim> &fe    = discretization.finite_element();
@@ -224,8 +223,6 @@ namespace ThermoContact
     const CellLine            varying(fe.degree, true);
     const std::vector<unsigned int> lexicographic =
       FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
-    const auto *const expressions =
-      dynamic_cast<const ExpressionFunction<dim> *>(&function);
     std::vector<unsigned int>            rows(lexicographic.size());
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     std::vector<double>                  nodal, differences, part, scratch;
@@ -237,18 +234,14 @@ namespace ThermoContact
       {
         CellLines<dim> lines;
         for (unsigned int d = 0; d < dim; ++d)
-          lines[d] = expressions == nullptr ||
-                         expressions->components()[c].depends_on({"xyz"[d]}) ?
-                       &varying :
-                       &constant;
+          lines[d] = function.varies_along(d, c) ? &varying : &constant;
         if (std::count(lines.begin(), lines.end(), &varying) == 0)
           continue; // it is its interpolant, as most displacements
         for (unsigned int i = 0; i < rows.size(); ++i)
           rows[lexicographic[i]] = fe.component_to_system_index(c, i);
         for (const auto &cell :
              discretization.dof_handler().active_cell_iterators())
-          if (cell->is_locally_owned() &&
-              !(dim > 1 && discretization.is_gap(cell)))
+          if (cell->is_locally_owned() && !discretization.is_gap(cell))
             {
               const CellShape<dim> shape(cell);
               const Tensor<1, dim> sides = shape.sides();
@@ -283,6 +276,50 @@ namespace ThermoContact
     rhs.compress(VectorOperation::add);
     for (const unsigned int entry : kept_entries[field])
       rhs.local_element(entry) = 0.;
+    return rhs;
+  }
+
+
+
+  template <>
+  Vector
+  H1Projection<1>::rest_of_interpolant(const EnclosedFunction<1> &function,
+                                       const Field::Block         field) const
+  {
+    const unsigned int      component = discretization.first_component(field);
+    const FiniteElement<1> &fe        = discretization.finite_element();
+    const PiecewiseRule<1>  rule(function,
+                                {{Point<1>(),
+                                   discretization.geometry().corner()}},
+                                fe.degree + 4);
+    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    Vector rhs = discretization.make_vector(field);
+    if (!function.varies_along(0, component))
+      return rhs;
+    for (const auto &cell :
+         discretization.dof_handler().active_cell_iterators())
+      {
+        const CellShape<1>  shape(cell);
+        const Quadrature<1> points = rule(shape.bounding_box(), component);
+        std::vector<double> nodal;
+        for (const Point<1> &node :
+             fe.base_element(0).get_unit_support_points())
+          nodal.push_back(function.value(shape.point(node), component));
+        cell->get_dof_indices(dofs);
+        for (unsigned int q = 0; q < points.size(); ++q)
+          {
+            const Point<1> unit = shape.unit_point(points.point(q));
+            double         rest = function.value(points.point(q), component);
+            for (unsigned int i = 0; i < nodal.size(); ++i)
+              rest -= nodal[i] * fe.base_element(0).shape_value(i, unit);
+            for (unsigned int i = 0; i < nodal.size(); ++i)
+              rhs(dofs[fe.component_to_system_index(component, i)] -
+                  discretization.first_dof(field)) -=
+                rest * points.weight(q) *
+                fe.base_element(0).shape_grad_grad(i, unit)[0][0] /
+                (shape.sides()[0] * shape.sides()[0]);
+          }
+      }
     return rhs;
   }
 
@@ -326,9 +363,9 @@ namespace ThermoContact
 
   template <int dim>
   void
-  H1Projection<dim>::project(const Function<dim> &function,
-                             Vector              &temperature,
-                             Vector              &displacement) const
+  H1Projection<dim>::project(const EnclosedFunction<dim> &function,
+                             Vector                      &temperature,
+                             Vector                      &displacement) const
   {
     for (const Field::Block field : all_fields)
       if (discretization.has_field(field))

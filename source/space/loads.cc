@@ -17,6 +17,19 @@ namespace ThermoContact
     {
       return discretization.degree() + 3;
     }
+
+
+
+    template <int dim>
+    bool
+    depends_on_time(const std::vector<ExpressionFunction<dim> *> &sources)
+    {
+      for (const ExpressionFunction<dim> *const source : sources)
+        for (const Expression &component : source->components())
+          if (component.depends_on("t"))
+            return true;
+      return false;
+    }
   } // namespace
 
 
@@ -31,6 +44,7 @@ namespace ThermoContact
     , inertia(scene.material.inertia)
     , obstacle_mass(scene.obstacle_mass ? scene.obstacle_mass->mass : 0.)
     , has_nonlinear_terms(scene.sources.has_nonlinear_terms)
+    , is_steady(!depends_on_time(data.sources))
     , fe_values(discretization.mapping(),
                 discretization.finite_element(),
                 QGauss<dim>(data.heat_source || data.body_force ?
@@ -50,14 +64,14 @@ namespace ThermoContact
       return;
     integrate_face(contact_boundary_id,
                    Field::temperature,
-                   Functions::ConstantFunction<dim>(
-                     scene.heat.obstacle_heat()));
+                   nullptr,
+                   scene.heat.obstacle_heat());
     if (scene.heat.left_exchange > 0.)
       integrate_face(fixed_boundary_id,
                      Field::temperature,
-                     Functions::ConstantFunction<dim>(
-                       scene.heat.left_exchange *
-                       scene.heat.fixed_end_temperature));
+                     nullptr,
+                     scene.heat.left_exchange *
+                       scene.heat.fixed_end_temperature);
     HeatExchangeFaces<dim> faces(scene, discretization);
     if (scene.heat.has_lateral_exchange())
       for (const auto &cell :
@@ -89,6 +103,12 @@ namespace ThermoContact
     set_zero(momentum);
     if (!has_sources())
       return;
+    if (steady_loads)
+      {
+        set_equal(heat, steady_loads->first);
+        set_equal(momentum, steady_loads->second);
+        return;
+      }
 
     data.set_time(time);
     if (const auto entry = discretization.obstacle_entry(Field::displacement);
@@ -109,6 +129,8 @@ namespace ThermoContact
         add_sources(Field::displacement, momentum);
       }
     add_end_traction(momentum);
+    if (is_steady)
+      steady_loads.emplace(heat, momentum);
   }
 
 
@@ -157,20 +179,20 @@ namespace ThermoContact
     if (part == contact_boundary_id)
       {
         if (data.end_heat_flux)
-          integrate_face(part, Field::temperature, *data.end_heat_flux);
+          integrate_face(part, Field::temperature, data.end_heat_flux.get());
         if (data.end_traction && discretization.row().is_given())
-          integrate_face(part, Field::displacement, *data.end_traction);
+          integrate_face(part, Field::displacement, data.end_traction.get());
         if (data.obstacle_warming)
           integrate_face(part,
                          Field::temperature,
-                         *data.obstacle_warming,
+                         data.obstacle_warming.get(),
                          exchange_coefficient);
         return;
       }
     if (data.left_heat_flux)
-      integrate_face(part, Field::temperature, *data.left_heat_flux);
+      integrate_face(part, Field::temperature, data.left_heat_flux.get());
     if (data.left_traction) // outward is against x
-      integrate_face(part, Field::displacement, *data.left_traction, -1.);
+      integrate_face(part, Field::displacement, data.left_traction.get(), -1.);
   }
 
 
@@ -203,7 +225,7 @@ namespace ThermoContact
   {
     Vector weights = discretization.make_vector(field);
     sources        = 0.;
-    integrate_face(part, field, Functions::ConstantFunction<dim>(1.));
+    integrate_face(part, field, nullptr);
     sources.compress(VectorOperation::add);
     add_sources(field, weights);
     return weights;
@@ -215,6 +237,11 @@ namespace ThermoContact
   void
   Loads<dim>::assemble_momentum_rate(const double time, Vector &momentum)
   {
+    if (is_steady)
+      {
+        set_zero(momentum);
+        return;
+      }
     Vector unused(outer_heat_);
     for (ExpressionFunction<dim> *const source : data.sources)
       source->set_is_rate(true);
@@ -241,41 +268,91 @@ namespace ThermoContact
   template <int dim>
   template <typename Factor>
   void
-  Loads<dim>::add(const FEValuesBase<dim> &values,
-                  const Function<dim>     &function,
-                  const Field::Block       field,
-                  const Factor            &factor)
+  Loads<dim>::add(const FEValuesBase<dim>                 &values,
+                  const CellShape<dim>                    &cell,
+                  const BoundingBox<dim>                  &box,
+                  const Function<dim>                     &function,
+                  const std::optional<PiecewiseRule<dim>> &rule,
+                  const Field::Block                       field,
+                  const Factor                            &factor)
   {
-    const unsigned int first = discretization.first_component(field);
-    for (const unsigned int q : values.quadrature_point_indices())
-      for (unsigned int c = 0; c < function.n_components; ++c)
-        {
-          const double f_JxW = factor(values.quadrature_point(q)) *
-                               function.value(values.quadrature_point(q), c) *
-                               discretization.geometry().weight(values, q);
-          for (const unsigned int i : values.dof_indices())
-            cell_load(i) +=
-              f_JxW * values.shape_value_component(i, q, first + c);
-        }
+    const unsigned int        first = discretization.first_component(field);
+    const FiniteElement<dim> &fe    = discretization.finite_element();
+    for (unsigned int c = 0; c < function.n_components; ++c)
+      {
+        const auto add_at =
+          [&](const Point<dim> &place, const double weight, const auto &basis) {
+            const double f_JxW =
+              factor(place) * function.value(place, c) * weight;
+            for (const unsigned int i : values.dof_indices())
+              cell_load(i) += f_JxW * basis(i);
+          };
+        if (rule && !rule->is_smooth(box, c))
+          {
+            const Quadrature<dim> pieces = (*rule)(box, c);
+            for (unsigned int q = 0; q < pieces.size(); ++q)
+              {
+                const Point<dim> place = pieces.point(q);
+                const Point<dim> unit  = cell.unit_point(place);
+                add_at(place,
+                       pieces.weight(q) *
+                         discretization.geometry().weight_at(place),
+                       [&](const unsigned int i) {
+                         return fe.shape_value_component(i, unit, first + c);
+                       });
+              }
+          }
+        else
+          for (const unsigned int q : values.quadrature_point_indices())
+            add_at(values.quadrature_point(q),
+                   discretization.geometry().weight(values, q),
+                   [&](const unsigned int i) {
+                     return values.shape_value_component(i, q, first + c);
+                   });
+      }
+  }
+
+
+
+  template <int dim>
+  std::optional<PiecewiseRule<dim>>
+  Loads<dim>::rule(const EnclosedFunction<dim> *const source) const
+  {
+    if (source == nullptr)
+      return {};
+    return PiecewiseRule<dim>(*source,
+                              {{Point<dim>(),
+                                discretization.geometry().corner()}},
+                              n_points(discretization));
   }
 
 
 
   template <int dim>
   void
-  Loads<dim>::integrate_face(const types::boundary_id part,
-                             const Field::Block       field,
-                             const Function<dim>     &load,
-                             const double             factor)
+  Loads<dim>::integrate_face(const types::boundary_id     part,
+                             const Field::Block           field,
+                             const EnclosedFunction<dim> *load,
+                             const double                 factor)
   {
+    const Functions::ConstantFunction<dim> one(1.);
+    const Function<dim>                   *function = &one;
+    if (load != nullptr)
+      function = load;
+    const std::optional<PiecewiseRule<dim>> in_pieces = rule(load);
     for_each_face<dim>(part,
                        discretization.dof_handler(),
                        [&](const auto &cell, const unsigned int f) {
+                         const CellShape<dim> shape(cell);
                          cell_load = 0.;
                          face_values.reinit(cell, f);
-                         add(face_values, load, field, [](const auto &) {
-                           return 1.;
-                         });
+                         add(face_values,
+                             shape,
+                             shape.end_face(f),
+                             *function,
+                             in_pieces,
+                             field,
+                             [](const auto &) { return 1.; });
                          cell_load *= factor;
                          distribute(cell);
                        });
@@ -287,6 +364,8 @@ namespace ThermoContact
   void
   Loads<dim>::integrate_volume()
   {
+    const auto heat_rule  = rule(data.heat_source.get()),
+               force_rule = rule(data.body_force.get());
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -301,15 +380,22 @@ namespace ThermoContact
             add_force_on_mass(cell);
           else
             {
+              const CellShape<dim> shape(cell);
               fe_values.reinit(cell);
-              if (data.heat_source)
+              if (heat_rule)
                 add(fe_values,
+                    shape,
+                    shape.bounding_box(),
                     *data.heat_source,
+                    heat_rule,
                     Field::temperature,
                     factor(&EquationFactors::section));
-              if (data.body_force)
+              if (force_rule)
                 add(fe_values,
+                    shape,
+                    shape.bounding_box(),
                     *data.body_force,
+                    force_rule,
                     Field::displacement,
                     factor(&EquationFactors::inertia));
             }

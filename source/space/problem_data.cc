@@ -5,6 +5,9 @@
 
 #include <deal.II/base/function.h>
 
+#include <algorithm>
+#include <array>
+
 namespace ThermoContact
 {
   namespace
@@ -25,13 +28,13 @@ namespace ThermoContact
 
 
     /** A function of the bodies of a row, each in its own coordinate. */
-    class RowFunction : public Function<1>
+    class RowFunction : public EnclosedFunction<1>
     {
     public:
       RowFunction(const BodyRow                         &row,
                   std::vector<std::vector<Expression>> &&of_bodies,
                   const std::vector<double>             &before)
-        : Function<1>(before.size())
+        : EnclosedFunction<1>(before.size())
         , row(row)
         , of_bodies(std::move(of_bodies))
         , before(before)
@@ -40,25 +43,81 @@ namespace ThermoContact
       double
       value(const Point<1> &place, const unsigned int component) const override
       {
-        const double x = place[0];
-        if (x < row.bodies.front().begin)
+        if (place[0] < row.bodies.front().begin)
           return before[component]; // the vertex before a first mass
-        const RowBody &body         = row.body_at(x);
-        const double   variables[4] = {x - body.begin};
-        return of_bodies[&body - row.bodies.data()][component].evaluate(
-          variables);
+        return evaluate<double>(place[0], component, [&](const double begin) {
+          return place[0] - begin;
+        });
+      }
+
+      bool
+      varies_along(const unsigned int, const unsigned int) const override
+      {
+        return true; // from body to body
+      }
+
+      NumberJet
+      derivatives(const Point<1> &place,
+                  const unsigned int,
+                  const unsigned int component) const override
+      {
+        return evaluate<NumberJet>(place[0],
+                                   component,
+                                   [&](const double begin) {
+                                     return NumberJet(place[0] - begin, 1., 0.);
+                                   });
+      }
+
+      IntervalJet
+      enclosure(const BoundingBox<1> &box,
+                const unsigned int,
+                const unsigned int component) const override
+      {
+        return evaluate<IntervalJet>(
+          box.center()[0], component, [&](const double begin) {
+            return IntervalJet(Interval(box.lower_bound(0) - begin,
+                                        box.upper_bound(0) - begin),
+                               1.,
+                               0.);
+          });
+      }
+
+      /** Of all bodies, each in its own length. */
+      double
+      bound(const BoundingBox<1> &, const unsigned int component) const override
+      {
+        double bound = 0.;
+        for (const RowBody &body : row.bodies)
+          bound = std::max(bound,
+                           EnclosedFunction<1>::bound({{Point<1>(body.begin),
+                                                        Point<1>(body.end)}},
+                                                      component));
+        return bound;
       }
 
     private:
       const BodyRow                             &row;
       const std::vector<std::vector<Expression>> of_bodies;
       const std::vector<double>                  before;
+
+      /** @param own the coordinate of a body that begins there */
+      template <typename Number, typename Own>
+      Number
+      evaluate(const double       x,
+               const unsigned int component,
+               const Own         &own) const
+      {
+        const RowBody              &body      = row.body_at(x);
+        const std::array<Number, 4> variables = {{own(body.begin)}};
+        return of_bodies[&body - row.bodies.data()][component].evaluate(
+          variables.data());
+      }
     };
 
 
 
     /** The same of a row, (M10.1). */
-    std::unique_ptr<Function<1>>
+    std::unique_ptr<EnclosedFunction<1>>
     initial_function_of_row(const Scene &scene, const bool is_rate)
     {
       std::vector<std::vector<Expression>> all;
@@ -95,7 +154,7 @@ namespace ThermoContact
 
     /** Initial values of the fields, or their rates, one after the other. */
     template <int dim>
-    std::unique_ptr<Function<dim>>
+    std::unique_ptr<EnclosedFunction<dim>>
     initial_function(const Scene &scene, const bool is_rate)
     {
       if constexpr (dim == 1)

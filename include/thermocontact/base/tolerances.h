@@ -169,6 +169,13 @@ namespace ThermoContact
     // ---- loads
 
     /**
+     * Parts of the initial heat, as it differs from its mean, that the nodes of
+     * a mesh may miss: below what cells of degree 1 leave out of a smooth
+     * temperature.
+     */
+    inline constexpr double lost_heat = 1e-2;
+
+    /**
      * Parts of the variation of a load that do not matter: its slopes are known
      * to the root of u, times ten.
      */

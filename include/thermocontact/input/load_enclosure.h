@@ -36,6 +36,22 @@ namespace ThermoContact
    */
   EnclosedLoad
   enclose_load(const TimeFunction &load, const double end_time);
+
+
+
+  /**
+   * True if a function is nearly a parabola in a span of a variable: if it is
+   * off by a quarter of its change there, or by a part that is negligible.
+   *
+   * @param all what it is in the span
+   * @param middle what it is in the middle of the span
+   * @param h length of the span
+   */
+  bool
+  is_nearly_parabolic(const IntervalJet &all,
+                      const NumberJet   &middle,
+                      const double       h,
+                      const double       negligible);
 } // namespace ThermoContact
 
 #endif

@@ -103,6 +103,21 @@ namespace ThermoContact
       return box.get_boundary_points().second - box.get_boundary_points().first;
     }
 
+    const BoundingBox<dim> &
+    bounding_box() const
+    {
+      return box;
+    }
+
+    /** The box without length along x of a face at an end of the body. */
+    BoundingBox<dim>
+    end_face(const unsigned int face) const
+    {
+      auto corners = box.get_boundary_points();
+      (face == 0 ? corners.second : corners.first)[0] = box.vertex(face)[0];
+      return {corners};
+    }
+
   private:
     const BoundingBox<dim> box;
   };

@@ -4,9 +4,7 @@
 #define thermocontact_space_expression_function_h
 
 #include <thermocontact/input/expression.h>
-#include <thermocontact/input/jet.h>
-
-#include <deal.II/base/function.h>
+#include <thermocontact/space/enclosed_function.h>
 
 #include <array>
 #include <cmath>
@@ -15,16 +13,13 @@
 
 namespace ThermoContact
 {
-  using dealii::Function;
-  using dealii::Point;
-
   /** Expressions in x, y, z, t as a function of deal.II, one each component. */
   template <int dim>
-  class ExpressionFunction : public Function<dim>
+  class ExpressionFunction : public EnclosedFunction<dim>
   {
   public:
     explicit ExpressionFunction(std::vector<Expression> components)
-      : Function<dim>(components.size())
+      : EnclosedFunction<dim>(components.size())
       , components_(std::move(components))
     {}
 
@@ -46,25 +41,64 @@ namespace ThermoContact
           const unsigned int component = 0) const override
     {
       if (!is_rate)
-        return evaluate(place, component, this->get_time());
+        return evaluate<double>(component,
+                                this->get_time(),
+                                [&](const unsigned int d) { return place[d]; });
       const double rate =
-        evaluate(place, component, NumberJet(this->get_time(), 1., 0.)).first;
+        evaluate<NumberJet>(component,
+                            NumberJet(this->get_time(), 1., 0.),
+                            [&](const unsigned int d) {
+                              return NumberJet(place[d]);
+                            })
+          .first;
       return std::isfinite(rate) ? rate : 0.;
+    }
+
+    bool
+    varies_along(const unsigned int direction,
+                 const unsigned int component) const override
+    {
+      return components_[component].depends_on({"xyz"[direction]});
+    }
+
+    NumberJet
+    derivatives(const Point<dim>  &place,
+                const unsigned int direction,
+                const unsigned int component) const override
+    {
+      return evaluate<NumberJet>(
+        component, NumberJet(this->get_time()), [&](const unsigned int d) {
+          return NumberJet(place[d], d == direction ? 1. : 0., 0.);
+        });
+    }
+
+    IntervalJet
+    enclosure(const BoundingBox<dim> &box,
+              const unsigned int      direction,
+              const unsigned int      component) const override
+    {
+      return evaluate<IntervalJet>(
+        component, IntervalJet(this->get_time()), [&](const unsigned int d) {
+          return IntervalJet(Interval(box.lower_bound(d), box.upper_bound(d)),
+                             d == direction ? 1. : 0.,
+                             0.);
+        });
     }
 
   private:
     const std::vector<Expression> components_;
     bool                          is_rate = false;
 
-    template <typename Number>
+    /** @param coordinate the value of each */
+    template <typename Number, typename Coordinate>
     Number
-    evaluate(const Point<dim>  &place,
-             const unsigned int component,
-             const Number      &time) const
+    evaluate(const unsigned int component,
+             const Number      &time,
+             const Coordinate  &coordinate) const
     {
-      std::array<Number, 4> variables;
-      for (unsigned int d = 0; d < 3; ++d)
-        variables[d] = Number(d < dim ? place[d < dim ? d : 0] : 0.);
+      std::array<Number, 4> variables{};
+      for (unsigned int d = 0; d < dim; ++d)
+        variables[d] = coordinate(d);
       variables.back() = time;
       return components_[component].evaluate(variables.data());
     }

@@ -5,8 +5,7 @@
 
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/discretization.h>
-
-#include <deal.II/base/function.h>
+#include <thermocontact/space/enclosed_function.h>
 
 #include <array>
 #include <memory>
@@ -27,7 +26,8 @@ namespace ThermoContact
    *
    * Computed as the nodal interpolant plus a correction, integrated by parts
    * cell by cell, so that only values of $w$ are needed and, in 1-D, the
-   * interpolation at the vertices holds to rounding.
+   * interpolation at the vertices holds to rounding. From degree 2 on the
+   * projection on a rod has the mean of $w$ in each cell, which may jump.
    */
   template <int dim>
   class H1Projection
@@ -50,9 +50,9 @@ namespace ThermoContact
      * @param temperature,displacement out: the two blocks of the projection
      */
     void
-    project(const Function<dim> &function,
-            Vector              &temperature,
-            Vector              &displacement) const;
+    project(const EnclosedFunction<dim> &function,
+            Vector                      &temperature,
+            Vector                      &displacement) const;
 
   private:
     const Discretization<dim>      &discretization;
@@ -67,8 +67,8 @@ namespace ThermoContact
     /** $(\nabla(w-w_h),\nabla\eta)$ of the correction, where $w_h$ has the
      * values of $w$ at the nodes. */
     Vector
-    rest_of_interpolant(const Function<dim> &function,
-                        const Field::Block   field) const;
+    rest_of_interpolant(const EnclosedFunction<dim> &function,
+                        const Field::Block           field) const;
 
     /** Adds the correction of a rod: it is zero at vertices. */
     void

@@ -4,10 +4,15 @@
 #define thermocontact_space_loads_h
 
 #include <thermocontact/base/types.h>
+#include <thermocontact/space/cell_shape.h>
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/enclosed_function.h>
 #include <thermocontact/space/problem_data.h>
 
 #include <deal.II/fe/fe_values.h>
+
+#include <optional>
+#include <utility>
 
 namespace ThermoContact
 {
@@ -49,8 +54,8 @@ namespace ThermoContact
     }
 
     /**
-     * Both loads at @p time. Integrates the sources that the scene has; without
-     * sources a copy.
+     * Both loads at @p time. Integrates the sources that the scene has, once if
+     * none depends on the time; without sources a copy.
      */
     void
     assemble(const double time, Vector &heat, Vector &momentum);
@@ -77,6 +82,7 @@ namespace ThermoContact
     const double               inertia;              ///< $b$
     const double               obstacle_mass;        ///< 0: it has none
     const bool    has_nonlinear_terms; ///< SceneSources::has_nonlinear_terms
+    const bool    is_steady;           ///< no source depends on the time
     FEValues<dim> fe_values;
     FEFaceValues<dim>         face_values;
     AffineConstraints<double> unconstrained;
@@ -84,24 +90,39 @@ namespace ThermoContact
     dealii::Vector<double>    cell_load;
     Vector                    outer_heat_;
 
-    /** Adds a function that acts on a field, times a factor of the place, to
-     * the load of a cell. */
+    /** Both loads, once they are known, if they are steady. */
+    std::optional<std::pair<Vector, Vector>> steady_loads;
+
+    /**
+     * Adds a function that acts on a field, times a factor of the place, to
+     * the load of a cell: by @p values, or, where its @p rule has pieces in
+     * @p box, which is the cell or its face, by the rule.
+     */
     template <typename Factor>
     void
-    add(const FEValuesBase<dim> &values,
-        const Function<dim>     &function,
-        const Field::Block       field,
-        const Factor            &factor);
+    add(const FEValuesBase<dim>                 &values,
+        const CellShape<dim>                    &cell,
+        const BoundingBox<dim>                  &box,
+        const Function<dim>                     &function,
+        const std::optional<PiecewiseRule<dim>> &rule,
+        const Field::Block                       field,
+        const Factor                            &factor);
+
+    /** The rule for a source at its time; none for none. */
+    std::optional<PiecewiseRule<dim>>
+    rule(const EnclosedFunction<dim> *const source) const;
 
     /**
      * Adds a load on a part of the boundary to the sources, times a factor:
      * a heat flux into the body, or a force along the axis.
+     *
+     * @param load null: it is 1
      */
     void
-    integrate_face(const types::boundary_id part,
-                   const Field::Block       field,
-                   const Function<dim>     &load,
-                   const double             factor = 1.);
+    integrate_face(const types::boundary_id     part,
+                   const Field::Block           field,
+                   const EnclosedFunction<dim> *load,
+                   const double                 factor = 1.);
 
     /** Adds what acts on an end, but for the traction at contact nodes. */
     void

@@ -7,8 +7,6 @@
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/space/expression_function.h>
 
-#include <deal.II/base/function.h>
-
 #include <memory>
 #include <vector>
 
@@ -48,10 +46,10 @@ namespace ThermoContact
      * the components of its FESystem. A displacement that has to be computed,
      * $b=\zeta=0$, is 0 here.
      */
-    const std::unique_ptr<Function<dim>> initial_fields;
+    const std::unique_ptr<EnclosedFunction<dim>> initial_fields;
 
     /** $(0, u_1)$ likewise; 0 without inertia. */
-    const std::unique_ptr<Function<dim>> initial_velocity;
+    const std::unique_ptr<EnclosedFunction<dim>> initial_velocity;
 
     // sources, or null
     const Data heat_source;    ///< $q$

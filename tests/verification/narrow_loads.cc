@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Loads and initial values that vary within a cell, doc/discretisation.md
+// section 1: on 8 cells none is missed.
+//
+// 1. Basis functions sum up to 1, and with the places of their nodes to x. So
+//    the entries of a load sum up to its integral, and times their places to
+//    its moment; both are known:
+//    jump: 2 on (0.299, 0.301): 0.004, and 0.3 times that; 1000 times narrower
+//    too step: 1 behind x = 1/3: 2/3, 4/9 moving: exp(-((x - t/10)/1e-4)^2), at
+//    t = 7: 1e-4 sqrt(pi), 0.7 times that force: the same for the momentum
+//    strip, 0.5 wide: a rectangle of 0.02 by 0.01 at (0.31, 0.12): 2e-4, to
+//    what 256 pieces of a cell allow; a Gaussian of width 1e-3: 1e-6 pi
+//    round rod, whose integrals have the weight r: 1 in r < 1/2 at 0.4 < x <
+//    0.401: 1e-3/8
+//    flux: 1 on a stripe of 1e-3 of the left end of the strip
+//    The momentum of a block under the force of a slice of 1e-3: 1e-3 of its
+//    area 1/4.
+// 2. A rod that is held at 0 and else insulated, under the heat 2 on
+//    (0.299, 0.301), gets 0.004 * 0.3 warm behind it, up to exp(-pi^2 t/4).
+// 3. The projection has the mean of the initial temperature in each cell, so
+//    that the rod has the mean of it: 3 on (0.37, 0.373): 0.009. Two bonded
+//    rods of 1/4 at 4 and 3/4 at 0: 1. The momentum of 2 on (0.37, 0.373) by
+//    the means of cells of box: 0.006.
+
+#include <cmath>
+
+#include "../recorded_run.h"
+
+using namespace ThermoContact;
+
+namespace
+{
+  const double pi = std::acos(-1.);
+
+
+
+  /** Integral and moment of a load at t = 7, against what they are. */
+  template <int dim>
+  void
+  check_load(const std::string &name,
+             const std::string &source,
+             const Overrides   &more,
+             const double       integral,
+             const double       place,
+             const double       bound,
+             const Field::Block field = Field::temperature)
+  {
+    const Scene scene(
+      read_parameters("",
+                      Overrides{"Dimension=" + std::to_string(dim),
+                                "Mesh/Cells=8",
+                                "Mesh/Degree=2",
+                                "Time/Scheme=sdirk4",
+                                "Initial values/Displacement=0",
+                                "Initial values/Temperature=0",
+                                "Boundary/left/Temperature=none",
+                                "Boundary/right/Heat exchange=0",
+                                source} +
+                        more));
+    Body<dim>             body(scene, MPI_COMM_SELF);
+    ThermoContact::Vector heat(body.loads.outer_heat());
+    ThermoContact::Vector force =
+      body.discretization.make_vector(Field::displacement);
+    body.loads.assemble(7., heat, force);
+    const ThermoContact::Vector &load =
+      field == Field::temperature ? heat : force;
+    const auto &nodes = body.discretization.nodal_values(field);
+    double      sum = 0., moment = 0.;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (nodes[i].component == 0)
+        {
+          sum += load.local_element(i);
+          moment += load.local_element(i) * nodes[i].node[0];
+        }
+    deallog << name << ": integral "
+            << within(std::abs(sum / integral - 1.), bound) << ", place "
+            << within(std::abs(moment / sum - place), bound) << std::endl;
+  }
+
+
+
+  double
+  mean_at_start(const Overrides &overrides)
+  {
+    return run<1>("", Overrides{"Time/End time=0"} + overrides)
+      .rows.front()
+      .temperature_mean;
+  }
+} // namespace
+
+void
+main_narrow_loads()
+{
+  initlog();
+
+  const std::string heat = "Sources/Heat source=", body = "Sources/Body force=";
+  const std::string flash = "exp(-((x - t/10)/1e-4)^2)";
+  check_load<1>(
+    "jump", heat + "if(abs(x - 0.3) < 1e-3, 2, 0)", {}, 0.004, 0.3, 1e-6);
+  check_load<1>(
+    "narrow jump", heat + "if(abs(x - 0.3) < 1e-6, 2, 0)", {}, 4e-6, 0.3, 1e-3);
+  check_load<1>("step", heat + "x > 1/3", {}, 2. / 3., 2. / 3., 1e-7);
+  check_load<1>("moving", heat + flash, {}, 1e-4 * std::sqrt(pi), 0.7, 1e-4);
+  check_load<1>("force",
+                body + flash,
+                {},
+                1e-4 * std::sqrt(pi),
+                0.7,
+                1e-4,
+                Field::displacement);
+  const Overrides strip = {"Mesh/Width=0.5"};
+  check_load<2>("rectangle",
+                heat + "if(abs(x - 0.31) < 0.01 && abs(y - 0.12) < 5e-3, 1, 0)",
+                strip,
+                2e-4,
+                0.31,
+                1e-3);
+  check_load<2>("Gaussian",
+                heat + "exp(-((x - 0.31)^2 + (y - 0.12)^2)/1e-6)",
+                strip,
+                1e-6 * pi,
+                0.31,
+                1e-3);
+  check_load<2>("round rod",
+                heat + "if(y < 0.5 && abs(x - 0.4005) < 5e-4, 1, 0)",
+                {"Mesh/Width=1", "Mesh/Geometry=axisymmetric"},
+                1e-3 / 8.,
+                0.4005,
+                1e-4);
+  check_load<2>("flux",
+                "Boundary/left/Heat flux=if(abs(y - 0.3) < 5e-4, 1, 0)",
+                strip,
+                1e-3,
+                0.,
+                1e-6);
+  check_load<3>("force on a block",
+                body + "if(abs(x - 0.3) < 5e-4, 1, 0); 0; 0",
+                strip,
+                1e-3 / 4.,
+                0.3,
+                1e-6,
+                Field::displacement);
+
+  const double end = run<1>("",
+                            {heat + "if(abs(x - 0.3) < 1e-3, 2, 0)",
+                             "Model/Inertia=0",
+                             "Model/Coupling=0",
+                             "Contact/Condition=none",
+                             "Boundary/left/Temperature=0",
+                             "Boundary/right/Heat exchange=0",
+                             "Initial values/Temperature=0",
+                             "Initial values/Displacement=0",
+                             "Time/End time=12"})
+                       .rows.back()
+                       .temperature_end;
+  deallog << "warm end: " << within(std::abs(end / (0.004 * 0.3) - 1.), 1e-5)
+          << std::endl;
+
+  const std::string spot = "if(abs(x - 0.3715) < 1.5e-3, 3, 0)";
+  deallog << "mean at the start: "
+          << within(std::abs(
+                      mean_at_start({"Initial values/Temperature=" + spot,
+                                     "Boundary/left/Temperature=none",
+                                     "Mesh/Cells=8",
+                                     "Mesh/Degree=4",
+                                     "Time/Scheme=sdirk4"}) /
+                        0.009 -
+                      1.),
+                    1e-5)
+          << std::endl;
+  deallog << "of bonded rods: "
+          << within(std::abs(mean_at_start({"Bodies/a/Length=0.25",
+                                            "Bodies/a/Temperature=4",
+                                            "Bodies/b/Length=0.75",
+                                            "Contacts/a b/Condition=bonded",
+                                            "Boundary/left/Temperature=none",
+                                            "Mesh/Degree=4",
+                                            "Time/Scheme=sdirk4"}) -
+                             1.),
+                    1e-10)
+          << std::endl;
+  Simulation<1> flight(
+    read_parameters(
+      "",
+      {"Model/Fields=displacement",
+       "Model/Inertia=1",
+       "Boundary/left/Support=free",
+       "Contact/Condition=none",
+       "Initial values/Displacement=0",
+       "Initial values/Velocity=if(abs(x - 0.3715) < 1.5e-3, 2, 0)",
+       "Time/Scheme=box",
+       "Time/End time=0"}),
+    MPI_COMM_SELF);
+  double momentum = 0.;
+  flight.run({[&](const Simulation<1> &s) {
+    const ThermoContact::Vector &v = s.state().velocity;
+    // means of neighbours are those of cells of one length
+    for (unsigned int i = 0; i + 1 < v.size(); ++i)
+      momentum += (v(i) + v(i + 1)) / 2. / (v.size() - 1.);
+  }});
+  deallog << "momentum of box: "
+          << within(std::abs(momentum / 0.006 - 1.), 1e-6) << std::endl;
+}
