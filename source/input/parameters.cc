@@ -330,9 +330,9 @@ namespace ThermoContact
         "length");
     entry.unbound("Cross-section area", "0", positive)
       .means("Area A of the cross-section, m^2.", "area");
-    entry.unbound("Density", "0", positive)
+    entry("Density", density, positive)
       .means("Density rho, kg/m^3.", "density");
-    entry.unbound("Young's modulus", "0", positive)
+    entry("Young's modulus", youngs_modulus, positive)
       .means("Young's modulus E, Pa.", "stress");
     entry.unbound("Poisson ratio", "0", Double(-0.999, 0.4999))
       .means("Poisson ratio nu, for confined lateral sides and Dimension > 1.");

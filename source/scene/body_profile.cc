@@ -113,7 +113,8 @@ namespace ThermoContact
                     (names[k] == axis_names[0] ? 1. : width);
         const TimeFunction along(coefficient, line);
         for (const LoadBreak &one :
-             breaks_along(along, length, axis_names[direction] + " at "))
+             history_along(along, length, axis_names[direction] + " at ")
+               .breaks)
           if ((one.is_jump || takes_kinks) &&
               one.time > Tolerances::thinnest_layer * length &&
               one.time < (1. - Tolerances::thinnest_layer) * length)

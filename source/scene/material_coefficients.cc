@@ -77,10 +77,10 @@ namespace ThermoContact
 
 
 
-  std::vector<LoadBreak>
-  breaks_along(const TimeFunction &coefficient,
-               const double        length,
-               const std::string  &coordinate)
+  LoadHistory
+  history_along(const TimeFunction &coefficient,
+                const double        length,
+                const std::string  &coordinate)
   {
     const EnclosedLoad found = enclose_load(coefficient, length);
     if (!found.is_resolved)
@@ -94,7 +94,7 @@ namespace ThermoContact
              significant(100. * found.time / length, 6),
              " % of the body\n  allowed: finite values, and jumps that can be "
              "told apart\n  remedy:  a smoother expression"));
-    return found.history.breaks;
+    return found.history;
   }
 
 

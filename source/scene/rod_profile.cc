@@ -99,15 +99,20 @@ namespace ThermoContact
     // linear cells have means, whatever bends within them
     const bool has_means = parameters.mesh.degree == 1;
     for (const Expression *const coefficient : all.expressions())
-      find_breaks(*coefficient, !has_means);
+      find_breaks(*coefficient, !has_means, rod.name);
   }
 
 
 
   void
-  RodProfile::find_breaks(const Expression &coefficient, const bool takes_kinks)
+  RodProfile::find_breaks(const Expression  &coefficient,
+                          const bool         takes_kinks,
+                          const std::string &body)
   {
-    for (const LoadBreak &one : breaks_along(TimeFunction(coefficient), length))
+    const LoadHistory along = history_along(TimeFunction(coefficient), length);
+    if (takes_kinks)
+      note_narrowest(coefficient, along.stretches, body);
+    for (const LoadBreak &one : along.breaks)
       if (const double x = one.time;
           (one.is_jump || takes_kinks) &&
           std::none_of(ends.begin(), ends.end(), [&](const double end) {
@@ -115,6 +120,30 @@ namespace ThermoContact
           }))
         ends.push_back(x);
     std::sort(ends.begin(), ends.end());
+  }
+
+
+
+  void
+  RodProfile::note_narrowest(const Expression               &coefficient,
+                             const std::vector<LoadStretch> &stretches,
+                             const std::string              &body)
+  {
+    constexpr double   part = 0.01; // of all changes: others do no harm
+    const TimeFunction value(coefficient);
+    Interval           range(value.value(0.));
+    for (const LoadStretch &stretch : stretches)
+      range = hull(range, value.value(0.5 * (stretch.begin + stretch.end)));
+    const LoadStretch *shortest = nullptr;
+    for (const LoadStretch &stretch : stretches)
+      if (const double end = std::min(stretch.begin + stretch.width, length);
+          hull(value.value(stretch.begin), value.value(end)).width() >
+            part * range.width() &&
+          (shortest == nullptr || stretch.width < shortest->width))
+        shortest = &stretch;
+    if (shortest != nullptr)
+      narrowest.push_back(
+        {coefficient.path(), "Bodies/" + body + "/Cells", *shortest});
   }
 
 
@@ -325,9 +354,27 @@ namespace ThermoContact
 
 
   std::vector<std::string>
-  RodProfile::doubts() const
+  RodProfile::doubts(const unsigned int   n_cells,
+                     const unsigned int   degree,
+                     const QuantityUnits &units) const
   {
     std::vector<std::string> all_doubts;
+    for (const Narrowest &one : narrowest)
+      if (const double cell =
+            0.5 * degree * one.stretch.width; // as a parabola is of two
+          cell * n_cells < length)
+        all_doubts.push_back(text(one.entry,
+                                  " varies within ",
+                                  units.text("length", one.stretch.width),
+                                  " at x = ",
+                                  units.text("length", one.stretch.begin),
+                                  ", which cells of ",
+                                  units.text("length", length / n_cells),
+                                  " do not resolve; remedy: ",
+                                  one.cells,
+                                  " = ",
+                                  std::ceil(length / cell),
+                                  " or more"));
     for (const Expression *const one : all.expressions())
       {
         for (const std::string &doubt : one->doubts_of_tables())

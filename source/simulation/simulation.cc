@@ -428,23 +428,6 @@ namespace ThermoContact
 
 
   template <int dim>
-  void
-  Simulation<dim>::warn_of_left_out_inertia()
-  {
-    const Scene         &scene = body_.scene;
-    const RodParameters &rod   = parameters().rod;
-    if (rod.length > 0. && rod.small_terms == "automatic" &&
-        scene.fields.has_displacement && !scene.material.has_inertia())
-      history_.warn(
-        "a force on the body jumps, and Rod/Small terms = automatic "
-        "has left out inertia: the body would swing beyond its new "
-        "rest by up to as much as it moves; remedy: Rod/Small terms "
-        "= kept, in a run as short as the swing");
-  }
-
-
-
-  template <int dim>
   const LoadBreak *
   Simulation<dim>::pass_break()
   {
@@ -453,8 +436,6 @@ namespace ThermoContact
     if (at == nullptr)
       return nullptr;
     result.state.load_time = at->new_time;
-    if (at->is_jump && (at->jumping & force) != 0)
-      warn_of_left_out_inertia();
     together([&]() {
       if (body_.obstacle.is_active())
         tracker.pass_slope_discontinuity(*at, result, history_.events);

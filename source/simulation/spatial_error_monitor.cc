@@ -28,6 +28,12 @@ namespace ThermoContact
     /** Higher ones are slow; more cells do as well. */
     constexpr double largest_degree = 16.;
 
+    /**
+     * Nodes across a contact below which its force is that of the mesh: at a
+     * cylinder with one it is 13 % off, with three 4 %, with five 1 %.
+     */
+    constexpr double fewest_nodes = 5.;
+
 
 
     /** Weights of the nodes of a cell, along it, in coefficient @p n. */
@@ -145,8 +151,42 @@ namespace ThermoContact
 
 
   void
+  SpatialErrorMonitor::note_contact(const State &state, const double force)
+  {
+    if (!(force > largest_force))
+      return;
+    const std::vector<double> &p = state.contact.pressure;
+    const unsigned int n = p.size() - std::count(p.begin(), p.end(), 0.);
+    largest_force        = force;
+    touching_nodes       = n < p.size() ? n : 0;
+  }
+
+
+
+  std::string
+  SpatialErrorMonitor::doubt_of_contact() const
+  {
+    const MeshParameters &mesh = scene.parameters.mesh;
+    const double          across =
+      std::pow(touching_nodes, 1. / (scene.parameters.dimension - 1.));
+    if (touching_nodes == 0 || across >= fewest_nodes)
+      return "";
+    return text("where its force is largest the contact is at ",
+                touching_nodes,
+                touching_nodes == 1 ? " node" : " nodes",
+                " alone: force, area and pressures are those of the mesh; "
+                "remedy: Mesh/Cells across = ",
+                std::ceil(mesh.n_cells_across() * fewest_nodes / across),
+                " or more");
+  }
+
+
+
+  void
   SpatialErrorMonitor::add(const State &state, const StepRecord &record)
   {
+    if (scene.parameters.dimension > 1)
+      note_contact(state, std::abs(record.contact_force));
     if (cell_sizes.empty())
       return;
     const EnergyTerms &energy = record.energy_terms;
@@ -287,7 +327,15 @@ namespace ThermoContact
     const double of_heat   = error(Field::temperature);
     const double of_strain = error(Field::displacement);
     const double largest   = std::max(of_heat, of_strain);
-    if (has_warned || !(largest > Tolerances::tolerated_mesh_error))
+    if (has_warned)
+      return "";
+    if (scene.parameters.dimension > 1)
+      {
+        const std::string doubt = doubt_of_contact();
+        has_warned              = !doubt.empty();
+        return doubt;
+      }
+    if (!(largest > Tolerances::tolerated_mesh_error))
       return "";
     has_warned = true;
     return text("the mesh leaves out about ",

@@ -195,6 +195,75 @@ namespace ThermoContact
 
 
 
+    /**
+     * The time in which a wave passes a body whose inertia the program has left
+     * out by itself, in a file in SI units; else 0.
+     */
+    double
+    left_out_wave(const Scene &scene)
+    {
+      const RodParameters &rod = scene.parameters.rod;
+      if (!(rod.length > 0.) || rod.small_terms != "automatic" ||
+          !scene.fields.has_displacement || scene.material.has_inertia())
+        return 0.;
+      return rod.length * std::sqrt(rod.density / rod.youngs_modulus) /
+             *scene.parameters.scales.time;
+    }
+
+
+
+    /**
+     * Warns of a force that jumps, or changes so fast that inertia matters
+     * which the program has left out by itself.
+     */
+    void
+    warn_of_left_out_inertia(const Load               &load,
+                             const Scene              &scene,
+                             const LoadHistory        &history,
+                             std::vector<std::string> &warnings)
+    {
+      // A sine is nearly a parabola over 1.4 of its angle, and a held body
+      // swings beyond its rest by the square of omega over its own, pi/2 in
+      // the time of a wave: 2 %
+      constexpr double waves = 6.;
+      const double     wave  = left_out_wave(scene);
+      if (wave == 0. || load.kind != force)
+        return;
+      double     shortest = waves * wave, begin = 0.;
+      bool       is_fast = false;
+      const auto look    = [&](const double at, const double width) {
+        if (width >= shortest)
+          return;
+        shortest = width;
+        begin    = at;
+        is_fast  = true;
+      };
+      for (const LoadStretch &stretch : history.stretches)
+        look(stretch.begin, stretch.width);
+      const std::vector<LoadBreak> &breaks = history.breaks;
+      for (std::size_t i = 0; i < breaks.size(); ++i)
+        if (breaks[i].is_jump)
+          look(breaks[i].time, 0.);
+        else if (i + 1 < breaks.size())
+          look(breaks[i].time, breaks[i + 1].time - breaks[i].time);
+      if (!is_fast)
+        return;
+      const QuantityUnits units(scene.parameters);
+      warnings.push_back(
+        text(load.expression().path(),
+             shortest > 0. ?
+               " changes within " + units.text_for_entry("time", shortest) :
+               std::string(" jumps"),
+             " at t = ",
+             units.text_for_entry("time", begin),
+             ", and Rod/Small terms = automatic has left out inertia: the body "
+             "would swing beyond its rest, after a jump by up to as much as it "
+             "moves; remedy: Rod/Small terms = kept, in a run as short as the "
+             "swing"));
+    }
+
+
+
     /** Adds a load in time to the history. */
     void
     scan(const Load               &load,
@@ -238,6 +307,7 @@ namespace ThermoContact
             }
           together.add(enclosed.history);
         }
+      warn_of_left_out_inertia(load, scene, together, warnings);
       if (!time.has_error_control())
         {
           together.stretches.clear();
@@ -397,7 +467,10 @@ namespace ThermoContact
     for (const RowBody &body : scene.row.bodies)
       if (body.profile)
         {
-          for (const std::string &doubt : body.profile->doubts())
+          for (const std::string &doubt :
+               body.profile->doubts(body.n_cells,
+                                    scene.parameters.mesh.degree,
+                                    QuantityUnits(scene.parameters)))
             doubts.push_back(doubt);
           doubt_temperatures(scene,
                              data,

@@ -114,6 +114,29 @@ namespace ThermoContact
 
   template <int dim>
   void
+  IterativeStage<dim>::set_springs(const std::vector<double> &springs,
+                                   const std::vector<double> &relaxed)
+  {
+    system->set_springs(springs, relaxed);
+    if (has_momentum_size || !body.scene.fields.has_displacement)
+      return;
+    // a body at rest that a moving obstacle meets: nothing else moves it
+    Vector        rows(rhs.block(Field::displacement));
+    const Vector &diagonal =
+      hierarchies.current().diagonals[Field::displacement];
+    rows = 0.;
+    for (const auto &[node, entry] :
+         body.contact_end().entries(Field::displacement))
+      rows.local_element(entry) =
+        std::min(springs[node], double(diagonal.local_element(entry))) *
+        relaxed[node];
+    set_momentum_size(momentum_sizes(rows));
+  }
+
+
+
+  template <int dim>
+  void
   IterativeStage<dim>::set_exchange(const std::vector<double> &coefficient)
   {
     conductance.resize(coefficient.size(), 0.);
@@ -365,14 +388,24 @@ namespace ThermoContact
              momentum_sizes(rows),
              tau * epsilon / body.scene.linear_solver.tolerance);
 
+    set_momentum_size(sizes);
+  }
+
+
+
+  template <int dim>
+  void
+  IterativeStage<dim>::set_momentum_size(const Sizes &sizes)
+  {
+    has_momentum_size = sizes[0] > 0. || sizes[1] > 0.;
+    if (!has_momentum_size)
+      return;
     Vector &w     = measure.weights.block(Field::displacement);
     Vector &roots = measure.inverses.block(Field::displacement);
     for (unsigned int i = 0; i < w.locally_owned_size(); ++i)
       {
         const double own  = sizes[is_massless(i)];
         const double size = own > 0. ? own : sizes[!is_massless(i)];
-        if (size == 0.)
-          return;
         w.local_element(i) /= size;
         roots.local_element(i) *= size;
       }

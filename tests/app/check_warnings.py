@@ -221,6 +221,7 @@ START = [
 PULSES = ("Time/Scheme=sdirk4", "Time/Step size=automatic", "Time/End time=0.25")
 HELP = (r": steps do not look for its jumps and pulses \(Time/Break points and "
         r"Time/Maximum step size help them\)")
+VARIED = ("Initial values/Velocity=20*x*(x-1)^2", "Mesh/Cells=8", "Mesh/Degree=4")
 LOADS = [
     (PULSES + ("Sources/Body force=1e-3*sin(1e8*t)",),
      [r"Sources/Body force changes too fast near t = [\d.e-]+ to be seen before "
@@ -234,6 +235,11 @@ LOADS = [
     (PULSES + (f"Boundary/right/Traction=table({ROWS}, t)",),
      [r"Boundary/right/Traction: \S+rows.csv has no row at t = 0.25: the value of its nearest "
       "row holds there"]),
+    # a stiffness that varies within 1/100 or 1/3 of a rod, on eight cells of degree 4
+    (PULSES + VARIED + ("Bodies/a/Stiffness=1-0.9*exp(-((x-0.37)/0.01)^2)",),
+     [r"Bodies/a/Stiffness varies within 0\.00\d+ at x = 0\.3\d+, which cells of 0\.125 do not "
+      r"resolve; remedy: Bodies/a/Cells = \d{3} or more"]),
+    (PULSES + VARIED + ("Bodies/a/Stiffness=1-0.5*sin(2*pi*x)",), []),
     # fixed steps follow nothing
     (("Time/End time=0.25", "Sources/Body force=1e-3*sin(1e8*t)"), []),
 ]
@@ -453,6 +459,24 @@ LEFT_OUT = (r"the mesh leaves out about (\d+|\d\.\d+|0\.\d+) % of the {}, in the
             "peaks may be wrong by several times as much; remedy: {}")
 
 
+# A stamp that moves into a strip of width 1: of five nodes it is at the one in the middle;
+# of 21 at the seven from 0.35 to 0.65.
+STAMP = ("Dimension=2", "Mesh/Width=1", "Mesh/Cells=4", "Mesh/Degree=1", "Model/Inertia=0",
+         "Contact/Massless nodes=automatic", "Contact/Condition=rigid",
+         "Initial values/Velocity=20*x*(x-1)^2",
+         "Contact/Gap=if(abs(y-0.5)<0.2,0,1)-0.01*t", "Time/Scheme=sdirk2",
+         "Time/Step size=0.1", "Time/End time=0.2")
+FEW_NODES = ("where its force is largest the contact is at 1 node alone: force, area and "
+             "pressures are those of the mesh; remedy: Mesh/Cells across = 20 or more")
+
+
+def check_nodes():
+    for across, expected in ((4, [FEW_NODES]), (20, [])):
+        found = warnings_of(STAMP + (f"Mesh/Cells across={across}",), Path(f"stamp-{across}"))
+        if found != expected:
+            yield f"{across} cells across a stamp: {found}"
+
+
 def check_mesh():
     """What is wrong with the warnings of meshes; of heat in nine half waves on 16 nodes."""
     heat = [line for line in warnings_of(
@@ -469,6 +493,7 @@ def check_mesh():
         yield f"warned of fine meshes: {no_warning + damped_none + none}"
     if abs(damped / damped_exact - 1) > 1e-3 or abs(peak / exact - 1) < 1e-2:
         yield f"peaks are {peak} of {exact}, {damped} of {damped_exact}"
+    yield from check_nodes()
     named = re.fullmatch(LEFT_OUT.format(
         "strain", r"(Mesh/Degree) = (\d+), or (Mesh/Cells) = (\d+) or more"), "".join(warning))
     if named is None:
@@ -508,7 +533,7 @@ def main():
     # contact nodes that bounce; steps too long for masses of a row; bodies of a row that press
     # at the start; inertia that the program leaves out where a force jumps (left_out_inertia);
     # one place that takes all those of a run
-    print("kinds of warnings in the sources:", "known" if places == 23 else places)
+    print("kinds of warnings in the sources:", "known" if places == 24 else places)
 
 
 main()

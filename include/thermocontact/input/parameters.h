@@ -475,8 +475,10 @@ namespace ThermoContact
    */
   struct RodParameters
   {
-    double      length      = 0.; ///< m; 0: there is no such section
-    std::string small_terms = "automatic";
+    double      length         = 0.; ///< m; 0: there is no such section
+    double      density        = 0.; ///< kg/m^3
+    double      youngs_modulus = 0.; ///< Pa
+    std::string small_terms    = "automatic";
 
     void
     add_parameters(ParameterHandler &prm);

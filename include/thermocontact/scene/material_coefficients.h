@@ -56,16 +56,16 @@ namespace ThermoContact
 
   /**
    * Jumps and kinks of a coefficient along a line through the body, whose
-   * coordinate stands in place of the time.
+   * coordinate stands in place of the time, and where it varies fast.
    *
    * @param length of the line, from 0
    * @param coordinate for messages, "y at "
    * @throw InputError if it is not finite or changes too fast to be searched
    */
-  std::vector<LoadBreak>
-  breaks_along(const TimeFunction &coefficient,
-               const double        length,
-               const std::string  &coordinate = "");
+  LoadHistory
+  history_along(const TimeFunction &coefficient,
+                const double        length,
+                const std::string  &coordinate = "");
 
 
 

@@ -5,6 +5,7 @@
 
 #include <thermocontact/input/expression.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/quantity_units.h>
 #include <thermocontact/scene/material_coefficients.h>
 
 #include <string>
@@ -64,9 +65,16 @@ namespace ThermoContact
       return ends.size() - 1;
     }
 
-    /** Doubts about tables, for the user to look at. */
+    /**
+     * Doubts about tables, and about coefficients that vary within a cell, for
+     * the user to look at.
+     *
+     * @param n_cells of the rod, of degree @p degree
+     */
     std::vector<std::string>
-    doubts() const;
+    doubts(const unsigned int   n_cells,
+           const unsigned int   degree,
+           const QuantityUnits &units) const;
 
     /**
      * The constants of a linear cell, (M10.7): means, of stiffness and
@@ -99,6 +107,16 @@ namespace ThermoContact
     MaterialCoefficients all;     ///< of theta and, where loads have t, of x
     std::vector<double>  ends;    ///< of the parts, with 0
 
+    /** Where a coefficient is a parabola over the shortest length. */
+    struct Narrowest
+    {
+      std::string entry;
+      std::string cells; ///< the entry of their number
+      LoadStretch stretch;
+    };
+
+    std::vector<Narrowest> narrowest; ///< cells of degree 1 have means
+
     double
     value(const MaterialCoefficients::Name name, const double x) const;
 
@@ -128,7 +146,15 @@ namespace ThermoContact
 
     /** Adds jumps of a coefficient, or kinks, too, to the ends of parts. */
     void
-    find_breaks(const Expression &coefficient, const bool takes_kinks);
+    find_breaks(const Expression  &coefficient,
+                const bool         takes_kinks,
+                const std::string &body);
+
+    /** Keeps where a coefficient changes over the shortest length. */
+    void
+    note_narrowest(const Expression               &coefficient,
+                   const std::vector<LoadStretch> &stretches,
+                   const std::string              &body);
   };
 } // namespace ThermoContact
 

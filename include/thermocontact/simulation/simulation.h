@@ -315,11 +315,6 @@ namespace ThermoContact
     const LoadBreak *
     pass_break();
 
-    /** Warns, of a jump of a force, if the program has left out inertia by
-     * itself, in a file in SI units: the body would swing. */
-    void
-    warn_of_left_out_inertia();
-
     /**
      * @p action changes the present state, whose energy is @p energy; the
      * result has what it costs.

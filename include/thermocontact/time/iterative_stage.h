@@ -84,10 +84,7 @@ namespace ThermoContact
     /** Springs of the contact nodes, LinearSystem::set_springs(). */
     void
     set_springs(const std::vector<double> &springs,
-                const std::vector<double> &relaxed)
-    {
-      system->set_springs(springs, relaxed);
-    }
+                const std::vector<double> &relaxed);
 
     /** Scale of residuals: terms of the stage, or the first residual. */
     enum class Measure
@@ -211,6 +208,12 @@ namespace ThermoContact
 
     /** Rows with mass, and those of contact nodes without it among them. */
     using Sizes = std::array<double, 2>;
+
+    /** Makes residuals of the momentum relative to sizes; 0 both: they stay. */
+    void
+    set_momentum_size(const Sizes &sizes);
+
+    bool has_momentum_size = false;
 
     double largest_diagonal = 0.; ///< of the momentum block
 
