@@ -311,7 +311,7 @@ namespace ThermoContact
                 sum += point.inverse_size[d] * gradient[d][d][q];
               if (is_radial)
                 sum += point.hoop * u[1][q];
-              u[0][q] = point.weight * sum;
+              u[0][q] = point.weight * sum * stiffness;
             });
           break;
         case OnGrid::thermal_stress:
@@ -324,7 +324,7 @@ namespace ThermoContact
                 const auto        &u,
                 const auto        &gradient,
                 const unsigned int q) __attribute__((always_inline)) {
-              const Lanes<Number> stress = point.weight * u[0][q];
+              const Lanes<Number> stress = point.weight * u[0][q] * stiffness;
               for (unsigned int d = 0; d < dim; ++d)
                 {
                   gradient[d][d][q] = point.inverse_size[d] * stress;
@@ -375,11 +375,11 @@ namespace ThermoContact
   template <int dim, typename Number>
   template <typename Add>
   void
-  CellProducts<dim, Number>::sum_up(LevelVector<Number>       &y,
+  CellProducts<dim, Number>::add_up(LevelVector<Number>       &y,
                                     const LevelVector<Number> &x,
                                     const Add                 &add) const
   {
-    y = Number();
+    y.zero_out_ghost_values(); // they are sums until compress()
     x.update_ghost_values();
     add();
     x.zero_out_ghost_values();
@@ -393,10 +393,12 @@ namespace ThermoContact
   CellProducts<dim, Number>::add_product(const Operator             op,
                                          const Factors             &factors,
                                          LevelVector<Number>       &y,
-                                         const LevelVector<Number> &x) const
+                                         const LevelVector<Number> &x,
+                                         const bool replaces) const
   {
     if (is_by_planes)
-      on_grid->add(op, factors.mass, factors.stiffness, y.begin(), x.begin());
+      on_grid->add(
+        op, factors.mass, factors.stiffness, y.begin(), x.begin(), replaces);
     else
       add_cells(op, factors, y, x);
   }
@@ -411,8 +413,28 @@ namespace ThermoContact
                                    LevelVector<Number>       &y,
                                    const LevelVector<Number> &x) const
   {
-    sum_up(y, x, [&] {
-      add_product(OnGrid::of(field), {mass, stiffness}, y, x);
+    // the nodes of a mass are none of the grid
+    const bool replaces =
+      is_by_planes &&
+      on_grid->grid.n_nodes() * n_components<dim>(field) == y.size();
+    if (!replaces)
+      y = Number();
+    add(field, mass, stiffness, y, x, replaces);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  CellProducts<dim, Number>::add(const Field::Block         field,
+                                 const double               mass,
+                                 const double               stiffness,
+                                 LevelVector<Number>       &y,
+                                 const LevelVector<Number> &x,
+                                 const bool                 replaces) const
+  {
+    add_up(y, x, [&] {
+      add_product(OnGrid::of(field), {mass, stiffness}, y, x, replaces);
       visit_faces(field,
                   mass,
                   stiffness,
@@ -437,7 +459,8 @@ namespace ThermoContact
                                        LevelVector<Number>       &y,
                                        const LevelVector<Number> &x) const
   {
-    sum_up(y, x, [&] {
+    y = Number();
+    add_up(y, x, [&] {
       for (unsigned int c = 0; c < n_components<dim>(field); ++c)
         add_cells(OnGrid::laplacian, {0., 1., false, field, c}, y, x);
     });
@@ -447,11 +470,12 @@ namespace ThermoContact
 
   template <int dim, typename Number>
   void
-  CellProducts<dim, Number>::divergence(LevelVector<Number>       &heat,
-                                        const LevelVector<Number> &u) const
+  CellProducts<dim, Number>::add_divergence(const double               factor,
+                                            LevelVector<Number>       &heat,
+                                            const LevelVector<Number> &u) const
   {
-    sum_up(heat, u, [&] {
-      add_product(OnGrid::divergence, {0., 1.}, heat, u);
+    add_up(heat, u, [&] {
+      add_product(OnGrid::divergence, {0., factor}, heat, u);
     });
   }
 
@@ -459,12 +483,13 @@ namespace ThermoContact
 
   template <int dim, typename Number>
   void
-  CellProducts<dim, Number>::thermal_stress(
+  CellProducts<dim, Number>::add_thermal_stress(
+    const double               factor,
     LevelVector<Number>       &momentum,
     const LevelVector<Number> &theta) const
   {
-    sum_up(momentum, theta, [&] {
-      add_product(OnGrid::thermal_stress, {0., 1.}, momentum, theta);
+    add_up(momentum, theta, [&] {
+      add_product(OnGrid::thermal_stress, {0., factor}, momentum, theta);
     });
   }
 
@@ -472,13 +497,15 @@ namespace ThermoContact
 
   template <int dim, typename Number>
   void
-  CellProducts<dim, Number>::lateral_exchange(
+  CellProducts<dim, Number>::add_lateral_exchange(
+    const double               factor,
     LevelVector<Number>       &y,
     const LevelVector<Number> &x) const
   {
-    sum_up(y, x, [&] {
+    add_up(y, x, [&] {
       for (const Entry &entry : fields[Field::temperature].at_sides)
-        y.begin()[entry.row] += entry.value * x.begin()[entry.column];
+        y.begin()[entry.row] +=
+          Number(factor) * entry.value * x.begin()[entry.column];
     });
   }
 
@@ -490,7 +517,8 @@ namespace ThermoContact
     LevelVector<Number>       &y,
     const LevelVector<Number> &x) const
   {
-    sum_up(y, x, [&] { add_cells(OnGrid::momentum, {0., 1., true}, y, x); });
+    y = Number();
+    add_up(y, x, [&] { add_cells(OnGrid::momentum, {0., 1., true}, y, x); });
   }
 
 

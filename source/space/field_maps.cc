@@ -27,6 +27,7 @@ namespace ThermoContact
                    rod.form(kind, x.begin()) :
                    rod.form_of_difference(kind, x.begin(), y->begin());
         },
+        nullptr,
         kind};
     }
   } // namespace
@@ -54,32 +55,56 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** @param add adds a multiple of the product */
+    template <typename Add>
+    LinearMap
+    map(const Add &add)
+    {
+      return {[add](Vector &y, const Vector &x) {
+                y = 0.;
+                add(1., x, y);
+              },
+              nullptr,
+              add};
+    }
+  } // namespace
+
+
+
   template <int dim>
   FieldMaps::FieldMaps(const CellProducts<dim, double> &products)
-    : heat_mass{[&](Vector &y, const Vector &x) {
-      products.vmult(Field::temperature, 1., 0., y, x);
-    }}
-    , conduction{[&](Vector &y, const Vector &x) {
-      products.vmult(Field::temperature, 0., 1., y, x);
-    }}
-    , lateral_exchange{[&](Vector &y, const Vector &x) {
-      products.lateral_exchange(y, x);
-    }}
-    , divergence{[&](Vector &y, const Vector &x) { products.divergence(y, x); }}
-    , thermal_stress{[&](Vector &y, const Vector &x) {
-      products.thermal_stress(y, x);
-    }}
-    , momentum_mass{[&](Vector &y, const Vector &x) {
-      products.vmult(Field::displacement, 1., 0., y, x);
-    }}
-    , stiffness{[&](Vector &y, const Vector &x) {
-      products.vmult(Field::displacement, 0., 1., y, x);
-    }}
-    , viscous_stiffness{[&](Vector &y, const Vector &x) {
-      products.vmult(Field::displacement, 0., 1., y, x);
-      products.add_contact_viscosity(1., y, x);
-    }}
-  {}
+  {
+    const auto of_field = [&](const Field::Block field, const bool is_mass) {
+      return map([&products, field, is_mass](const double  factor,
+                                             const Vector &x,
+                                             Vector       &y) {
+        products.add(field, is_mass ? factor : 0., is_mass ? 0. : factor, y, x);
+      });
+    };
+    heat_mass     = of_field(Field::temperature, true);
+    conduction    = of_field(Field::temperature, false);
+    momentum_mass = of_field(Field::displacement, true);
+    stiffness     = of_field(Field::displacement, false);
+    viscous_stiffness =
+      map([&products](const double factor, const Vector &x, Vector &y) {
+        products.add(Field::displacement, 0., factor, y, x);
+        products.add_contact_viscosity(factor, y, x);
+      });
+    divergence =
+      map([&products](const double factor, const Vector &x, Vector &y) {
+        products.add_divergence(factor, y, x);
+      });
+    thermal_stress =
+      map([&products](const double factor, const Vector &x, Vector &y) {
+        products.add_thermal_stress(factor, y, x);
+      });
+    lateral_exchange =
+      map([&products](const double factor, const Vector &x, Vector &y) {
+        products.add_lateral_exchange(factor, y, x);
+      });
+  }
 
 
 

@@ -43,7 +43,7 @@ namespace ThermoContact
     Direction &kept = directions.back();
     kept.values.reinit(direction.n_blocks());
     for (unsigned int i = 0; i < direction.n_blocks(); ++i)
-      kept.values.block(i).reinit(direction.block(i).get_partitioner());
+      kept.values.block(i).reinit(direction.block(i), true);
     kept.values.collect_sizes();
     for (unsigned int i = 0; i < direction.n_blocks(); ++i)
       {

@@ -262,7 +262,8 @@ namespace ThermoContact
                                        const double   mass,
                                        const double   stiffness,
                                        Number        *y,
-                                       const Number  *x) const
+                                       const Number  *x,
+                                       const bool     replaces) const
   {
     const Field::Block from = op == heat || op == thermal_stress ?
                                 Field::temperature :
@@ -345,7 +346,8 @@ namespace ThermoContact
         const unsigned int *const entry = &entries[to][i * n_plane];
         for (unsigned int c = 0; c < n_components<dim>(to); ++c)
           for (unsigned int node = 0; node < n_plane; ++node)
-            y[entry[node] + c] += plane(c)[node];
+            y[entry[node] + c] =
+              (replaces ? Number() : y[entry[node] + c]) + plane(c)[node];
       }
   }
 
@@ -357,14 +359,15 @@ namespace ThermoContact
                                 const double   mass,
                                 const double   stiffness,
                                 Number        *y,
-                                const Number  *x) const
+                                const Number  *x,
+                                const bool     replaces) const
   {
     if (scratch.empty())
       prepare_planes();
     if (degree == 1)
-      add_planes<3>(op, mass, stiffness, y, x);
+      add_planes<3>(op, mass, stiffness, y, x, replaces);
     else
-      add_planes<5>(op, mass, stiffness, y, x);
+      add_planes<5>(op, mass, stiffness, y, x, replaces);
   }
 
 
@@ -377,8 +380,7 @@ namespace ThermoContact
                                   LevelVector<Number>       &y,
                                   const LevelVector<Number> &x) const
   {
-    y = Number();
-    add(of(field), mass, stiffness, y.begin(), x.begin());
+    add(of(field), mass, stiffness, y.begin(), x.begin(), true);
   }
 
 

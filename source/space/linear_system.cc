@@ -511,14 +511,12 @@ namespace ThermoContact
       Vector &z_theta = z.block(Field::temperature);
       if (system.has(Field::temperature))
         {
-          heat_rhs.copy_locally_owned_data_from(r.block(Field::temperature));
-          heat_rhs.scale(weights.inverses.block(Field::temperature));
+          weigh_back(Field::temperature, r, heat_rhs);
           system.preconditioner->vmult(Field::temperature, z_theta, heat_rhs);
         }
       if (!system.has(Field::displacement))
         return;
-      rhs.copy_locally_owned_data_from(r.block(Field::displacement));
-      rhs.scale(weights.inverses.block(Field::displacement));
+      weigh_back(Field::displacement, r, rhs);
       if (system.has(Field::temperature))
         {
           system.equations.add_thermal_stress(
@@ -540,6 +538,16 @@ namespace ThermoContact
     const Weights      &weights;
     Vector             &rhs;
     Vector             &heat_rhs;
+
+    void
+    weigh_back(const Field::Block field, const BlockVector &r, Vector &to) const
+    {
+      const double *const of_rows = r.block(field).begin();
+      const double *const inverse = weights.inverses.block(field).begin();
+      double *const       result  = to.begin();
+      for (unsigned int i = 0; i < to.locally_owned_size(); ++i)
+        result[i] = of_rows[i] * inverse[i];
+    }
   };
 
 

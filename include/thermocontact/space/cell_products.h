@@ -46,25 +46,38 @@ namespace ThermoContact
           LevelVector<Number>       &y,
           const LevelVector<Number> &x) const override;
 
+    /** @p y += the same; or = where it @p replaces, in planes alone. */
+    void
+    add(const Field::Block         field,
+        const double               mass,
+        const double               stiffness,
+        LevelVector<Number>       &y,
+        const LevelVector<Number> &x,
+        const bool                 replaces = false) const;
+
     /** The Laplacian of the mesh, of each component of a field. */
     void
     laplacian(const Field::Block         field,
               LevelVector<Number>       &y,
               const LevelVector<Number> &x) const;
 
-    /** @p heat $=Du$. */
+    /** @p heat += @p factor $Du$. */
     void
-    divergence(LevelVector<Number> &heat, const LevelVector<Number> &u) const;
+    add_divergence(const double               factor,
+                   LevelVector<Number>       &heat,
+                   const LevelVector<Number> &u) const;
 
-    /** @p momentum $=D^T\theta$. */
+    /** @p momentum += @p factor $D^T\theta$. */
     void
-    thermal_stress(LevelVector<Number>       &momentum,
-                   const LevelVector<Number> &theta) const;
+    add_thermal_stress(const double               factor,
+                       LevelVector<Number>       &momentum,
+                       const LevelVector<Number> &theta) const;
 
-    /** @p y $=Lx$, the heat exchange of lateral faces. */
+    /** @p y += @p factor $Lx$, the heat exchange of lateral faces. */
     void
-    lateral_exchange(LevelVector<Number>       &y,
-                     const LevelVector<Number> &x) const;
+    add_lateral_exchange(const double               factor,
+                         LevelVector<Number>       &y,
+                         const LevelVector<Number> &x) const;
 
     /**
      * The part of @p y $=Sx$ by the cells at the contact end: all of it at its
@@ -238,10 +251,10 @@ namespace ThermoContact
                 const double       stiffness,
                 const Visit       &visit) const;
 
-    /** @p y = what @p add adds from @p x with ghosts. */
+    /** Adds to @p y what @p add does from @p x with ghosts. */
     template <typename Add>
     void
-    sum_up(LevelVector<Number>       &y,
+    add_up(LevelVector<Number>       &y,
            const LevelVector<Number> &x,
            const Add                 &add) const;
 
@@ -250,7 +263,8 @@ namespace ThermoContact
     add_product(const Operator             op,
                 const Factors             &factors,
                 LevelVector<Number>       &y,
-                const LevelVector<Number> &x) const;
+                const LevelVector<Number> &x,
+                const bool                 replaces = false) const;
 
     /** The same by cells. */
     void

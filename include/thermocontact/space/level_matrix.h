@@ -82,13 +82,19 @@ namespace ThermoContact
       return field == Field::temperature ? heat : momentum;
     }
 
-    /** Adds the product. @param mass,stiffness 0 and 1 but for vmult() */
+    /**
+     * Adds the product.
+     *
+     * @param stiffness factor of all that is no mass
+     * @param replaces @p y is the product alone, whatever it was
+     */
     void
     add(const Operator op,
         const double   mass,
         const double   stiffness,
         Number        *y,
-        const Number  *x) const;
+        const Number  *x,
+        const bool     replaces = false) const;
 
     /** On the diagonal of a component. */
     double
@@ -215,7 +221,8 @@ namespace ThermoContact
                const double   mass,
                const double   stiffness,
                Number        *y,
-               const Number  *x) const;
+               const Number  *x,
+               const bool     replaces) const;
   };
 } // namespace ThermoContact
 

@@ -23,6 +23,8 @@ namespace ThermoContact
     void
     add(const double factor, const Vector &x, Vector &y, Vector &product) const
     {
+      if (own_add)
+        return own_add(factor, x, y);
       vmult(product, x);
       y.add(factor, product);
     }
@@ -30,6 +32,11 @@ namespace ThermoContact
     /** Computes $(x-y)\cdot A(x-y)$ with more digits, y may be null; else
      * empty. */
     std::function<double(const Vector &x, const Vector *y)> own_form = nullptr;
+
+    /** add() without scratch, which costs as much memory traffic again; else
+     * empty. */
+    std::function<void(const double factor, const Vector &x, Vector &y)>
+      own_add = nullptr;
 
     /** Its name among those of RodMatrices, if it is the map of a rod. */
     FieldMatrix::Kind of_rod = FieldMatrix::n_matrices;
