@@ -303,7 +303,11 @@ namespace ThermoContact
         return;
       const std::string rest  = message.substr(head.size()),
                         shown = quote(entry.value), given = quote(last->value);
-      if (!begins_with(rest, given))
+      const std::string behind =
+        rest.substr(std::min(given.size(), rest.size()), 1);
+      // 1 is no beginning of 1.5
+      if (!begins_with(rest, given) ||
+          std::string(" \n:").find(behind) == std::string::npos)
         message.replace(head.size(),
                         begins_with(rest, shown) ? shown.size() :
                                                    rest.find_first_of(" \n:"),

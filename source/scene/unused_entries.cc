@@ -250,6 +250,20 @@ namespace ThermoContact
 
 
 
+    /** A reason, in a file in SI units by what it has for a coefficient. */
+    std::string
+    in_entries_of_file(const std::string &reason, const Scene &scene)
+    {
+      const RodParameters &rod = scene.parameters.rod;
+      if (rod.length > 0. && begins_with(reason, "Model/Inertia = 0"))
+        return "Rod/Small terms = " + rod.small_terms;
+      if (rod.length > 0. && reason == "Model/Coupling = 0")
+        return "Rod/Linear expansion = 0";
+      return reason;
+    }
+
+
+
     Paths
     entries_of_law(const ContactLawKind &law, const OwnLaw &own)
     {
@@ -417,12 +431,16 @@ namespace ThermoContact
         if (entry.path == unused.path &&
             !equal_values(entry.value, entry.default_value) &&
             told.insert(entry.path).second)
-          faults.push_back(complete_message(
-            entry.path + " = " + quote(entry.value) + " has no effect, since " +
-              unused.reason + "\n  remedy:  remove the entry or change " +
-              unused.reason.substr(0, unused.reason.find(" =")),
-            assignments,
-            prm));
+          {
+            const std::string reason = in_entries_of_file(unused.reason, scene);
+            faults.push_back(
+              complete_message(entry.path + " = " + quote(entry.value) +
+                                 " has no effect, since " + reason +
+                                 "\n  remedy:  remove the entry or change " +
+                                 reason.substr(0, reason.find(" =")),
+                               assignments,
+                               prm));
+          }
     throw_faults(faults);
   }
 } // namespace ThermoContact

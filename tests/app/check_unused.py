@@ -65,6 +65,7 @@ HOT_ROD = tuple(f"Rod/{entry}" for entry in (
     "Reference temperature=293")) + (
         "Boundary/left/Temperature=300", "Boundary/right/Heat exchange=9", "Time/End time=1")
 ROD = HOT_ROD + ("Contact/Gap=1e-4",)
+STIFF = ROD + ("Contact/Stiffness=1e8",)
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
      Boundary/sides/Support; Boundary/left/Support;
@@ -170,6 +171,10 @@ SCENES = [
     ("Dimension = 2", "Rod/Lateral sides",
      ROD + ("Contact/Stiffness=1e8", "Mesh/Width=0.1", PLANE),
      ROD + ("Contact/Stiffness=1e8",)),
+    # section Rod decides on what other files have a coefficient for
+    ("Rod/Small terms = dropped", "Initial values/Velocity; Initial values/Displacement; Contact/Massless nodes",
+     STIFF + ("Rod/Small terms=dropped",), STIFF + ("Rod/Small terms=kept",)),
+    ("Rod/Linear expansion = 0", "Model/Thermoelastic heating", STIFF + ("Rod/Linear expansion=0",), STIFF),
     ("Contact/Condition = none", "Contact/Compliance",
      ("Contact/Condition=none",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = normal compliance", "Contact/Exponent", (),
