@@ -7,6 +7,7 @@
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -226,8 +227,6 @@ namespace ThermoContact
             is_taken =
               is_taken || !(pair != nullptr && pair->own_law.has_number(name));
           }
-        if (entry == "Stiffness") // of a file in SI units
-          is_used = is_taken = general.uses(name);
         unused.add_if(!is_taken,
                       {path},
                       is_used ? "each of Contacts = a number of its own" :
@@ -320,6 +319,18 @@ namespace ThermoContact
     const ContactLawKind &law       = contact_law(parameters.contact.condition);
     const std::string     condition = "Contact/Condition = " + law.name;
     add_by_laws(scene, law, unused);
+    const std::vector<RowContact> &contacts = scene.row.contacts;
+    unused.add_if(!parameters.boundary.right.meets_obstacle() &&
+                    !contacts.empty() &&
+                    std::all_of(contacts.begin(),
+                                contacts.end(),
+                                [&](const RowContact &contact) {
+                                  const PairParameters *const pair =
+                                    parameters.row.find_pair(contact.name);
+                                  return pair != nullptr && pair->gap;
+                                }),
+                  {"Contact/Gap"},
+                  "each of Contacts = a number of its own");
     unused.add_if(!parameters.uses_general_law(),
                   {"Contact/Condition"},
                   "each of Contacts = a Condition of its own");
@@ -426,9 +437,14 @@ namespace ThermoContact
     const std::vector<DeclaredEntry> entries = declared_entries(prm);
     std::vector<std::string>         faults;
     std::set<std::string>            told; // one reason is enough
+    // section Rod sets entries that the file does not have
+    const auto is_derived = [&](const std::string &path) {
+      return scene.parameters.rod.length > 0. &&
+             last_assignment(assignments, path) == nullptr;
+    };
     for (const UnusedEntry &unused : unused_entries(scene))
       for (const DeclaredEntry &entry : entries)
-        if (entry.path == unused.path &&
+        if (entry.path == unused.path && !is_derived(entry.path) &&
             !equal_values(entry.value, entry.default_value) &&
             told.insert(entry.path).second)
           {

@@ -223,6 +223,8 @@ def check_missing():
     rod, contact = ["Cross-section area", "Density"], ["Contact/Gap", "Contact/Stiffness"]
     hot = ["Conductivity", "Heat capacity", "Reference temperature"]
     ends = ["Boundary/left/Temperature", "Boundary/right/Heat exchange"]
+    row = ("Model/Fields=displacement", "Boundary/right/Support=free", "Bodies/a/Length=0.5",
+           "Bodies/b/Length=0.5")
     for names, *overrides in (
             (rod + ["Young's modulus"] + hot + ["Linear expansion"] + ends + contact,),
             (rod + hot + ends, "Model/Fields=temperature"),
@@ -235,6 +237,12 @@ def check_missing():
              "Rod/Lateral sides=confined"),
             (rod + ["Young's modulus", "Poisson ratio"] + contact[:1] + ["Mesh/Width"],
              "Model/Fields=displacement", "Contact/Condition=rigid", "Dimension=2"),
+            # two bodies that meet each other alone, with a gap and a stiffness of their own
+            (rod + ["Young's modulus"], *row, "Contacts/a b/Gap=1e-4", "Contacts/a b/Stiffness=1e8"),
+            (rod + ["Young's modulus"] + contact[:1], *row, "Contacts/a b/Stiffness=1e8"),
+            (rod + ["Young's modulus"] + contact[1:], *row, "Contacts/a b/Gap=1e-4"),
+            (rod + ["Young's modulus"] + contact, *row, "Contacts/a b/Gap=1e-4",
+             "Contacts/a b/Stiffness=1e8", "Boundary/right/Support=contact"),
             (rod + ["Young's modulus"], "Model/Fields=displacement", "Contact/Condition=none")):
         names = [name if "/" in name else f"Rod/{name}" for name in names] + ["Time/End time"]
         message = run("--units", *settings(overrides), "length.prm")[2]

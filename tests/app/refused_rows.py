@@ -44,7 +44,7 @@ SCENES = [
     ("Contact/Rear gap", TWO + RIGID + ("Contact/Rear gap=0.1", "Contacts/a b/Gap=1"), "Bodies/b/Displacement=-0.2",
      "Bodies/b/Displacement=-0.1"),
     ("Contacts", TWO + RIGID + ("Contact/Rear gap=0.1",), "Bodies/b/Displacement=0.2", "Bodies/b/Displacement=0.1"),
-    ("Contact/Gap", TWO + ALONE + ("Contacts/a b/Gap=0.1",), "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1",
+    ("Contact/Gap", TWO + ALONE + (CONDITION + "=bonded",), "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1",
      ("Contact/Gap=0.1+0.01*t", "Boundary/right/Support=contact")),
     ("Contacts/a b/Gap", TWO, "Contact/Gap=0.1+0.01*t", ("Contact/Gap=0.1+0.01*t", "Contacts/a b/Gap=0.1")),
     # an end where nothing is met
