@@ -1118,9 +1118,9 @@ namespace ThermoContact
                   Tolerances::rounding_of_data * row.length();
                 is_in_rod = is_in_rod || (x >= body.begin - rounding &&
                                           x <= body.end + rounding);
-                spans.push_back(text(significant(body.begin, 6),
-                                     " to ",
-                                     significant(body.end, 6)));
+                spans.push_back(parameters.text_of_coordinate(body.begin) +
+                                " to " +
+                                parameters.text_of_coordinate(body.end));
               }
           if (!is_in_rod)
             refuse("Output/Probes",
