@@ -288,6 +288,10 @@ namespace ThermoContact
                    "Mesh/Cells across",
                    "Mesh/Grading across"},
                   "Dimension = 1");
+    const std::string &sides = parameters.rod.lateral_sides;
+    unused.add_if(parameters.dimension == 1 && sides != "confined",
+                  {"Rod/Poisson ratio"},
+                  "Rod/Lateral sides = " + sides);
     unused.add_if(parameters.dimension == 1 && scene.has_sliding_end,
                   {"Boundary/left/Support"},
                   "Dimension = 1");

@@ -484,7 +484,7 @@ namespace ThermoContact
   struct RodParameters
   {
     double      length      = 0.; ///< m; 0: there is no such section
-    std::string small_terms = "automatic";
+    std::string small_terms = "automatic", lateral_sides = "free";
 
     void
     add_parameters(ParameterHandler &prm);
