@@ -216,13 +216,15 @@ namespace ThermoContact
 
 
   std::string
-  MeshParameters::limits_of_places(const unsigned int dim) const
+  MeshParameters::limits_of_places(
+    const unsigned int                                dim,
+    const std::function<std::string(const double x)> &in_unit) const
   {
     std::string limits = dim == 1 ? "x" : dim == 2 ? "x, y" : "x, y, z";
-    limits += " with 0 <= x <= 1";
+    limits += " with 0 <= x <= " + in_unit(1.);
     if (dim > 1)
       limits += (dim == 2 ? ", 0 <= y <= " : ", 0 <= y, z <= ") +
-                text(width, " (Mesh/Width)");
+                in_unit(width) + " (Mesh/Width)";
     return limits;
   }
 } // namespace ThermoContact

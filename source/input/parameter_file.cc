@@ -102,10 +102,37 @@ namespace ThermoContact
 
 
 
+    /** The unit of the first number of a list of lengths. */
+    std::string
+    unit_of_first(const std::string &list)
+    {
+      const auto first = split_unit(list.substr(0, list.find_first_of(",;")));
+      return first && !first->unit.empty() ? first->unit : "m";
+    }
+
+
+
+    /** The default of an entry; of a file in SI units what it is there. */
+    std::string
+    default_of(const DeclaredEntry &entry, const bool is_si)
+    {
+      const auto number = parse_number(entry.default_value);
+      if (!is_si || entry.kind.empty() || section_of(entry.path) == "Rod" ||
+          !number || (*number == 0. && entry.kind != "temperature"))
+        return entry.default_value;
+      return entry.path == "Output/Fields interval" ? "Time/End time / 20" :
+             entry.kind == "temperature"        ? "Rod/Reference temperature" :
+             begins_with(entry.path, "Bodies/") ? "that of section Rod" :
+                                                  "none, in SI units";
+    }
+
+
+
     /** Throws the fault of a value: as an expression, if it looks so. */
     [[noreturn]] void
     refuse_value(const Assignment                    &assignment,
-                 const std::map<std::string, double> &constants)
+                 const std::map<std::string, double> &constants,
+                 const bool                           is_si)
     {
       const DeclaredEntry &entry   = entry_of_program(assignment.path);
       const std::string   &value   = assignment.value;
@@ -141,9 +168,9 @@ namespace ThermoContact
         fault +=
           did_you_mean(value,
                        dealii::Utilities::split_string_list(allowed, '|'));
-      throw InputError(
-        assignment.place + ": " + fault + "\n  allowed: " + allowed +
-        "\n  meaning: " + entry.text + "\n  default: " + entry.default_value);
+      throw InputError(assignment.place + ": " + fault + "\n  allowed: " +
+                       allowed + "\n  meaning: " + entry.text +
+                       "\n  default: " + default_of(entry, is_si));
     }
 
 
@@ -172,7 +199,9 @@ namespace ThermoContact
         }
       catch (const dealii::ExceptionBase &)
         {
-          refuse_value(assignment, constants);
+          refuse_value(assignment,
+                       constants,
+                       *parse_number(prm.get({"Rod"}, "Length")) > 0.);
         }
     }
 
@@ -268,7 +297,7 @@ namespace ThermoContact
           entry != nullptr && !is_rod_entry(entry->path) &&
           is_numeric(*entry) && entry->variables(1).empty() &&
           has_table(assignments[i].value))
-        collect([&]() { refuse_value(given[i], constants); });
+        collect([&]() { refuse_value(given[i], constants, true); });
     throw_faults(faults);
     std::optional<SiScene> scene;
     collect([&]() { scene.emplace(assignments, constants); });
@@ -278,6 +307,9 @@ namespace ThermoContact
                 return scene->value(assignment);
               });
     throw_faults(faults);
+    if (const Assignment *const probes =
+          last_assignment(assignments, "Output/Probes"))
+      parameters.output.unit_of_probes = unit_of_first(probes->value);
     const std::vector<Assignment> derived = scene->derived();
     for (const Assignment &assignment : derived)
       assign(assignment, assignment.value, constants, prm);
@@ -303,7 +335,11 @@ namespace ThermoContact
         return;
       const std::string rest  = message.substr(head.size()),
                         shown = quote(entry.value), given = quote(last->value);
-      if (!begins_with(rest, given))
+      const std::string behind =
+        rest.substr(std::min(given.size(), rest.size()), 1);
+      // 1 is no beginning of 1.5
+      if (!begins_with(rest, given) ||
+          std::string(" \n:").find(behind) == std::string::npos)
         message.replace(head.size(),
                         begins_with(rest, shown) ? shown.size() :
                                                    rest.find_first_of(" \n:"),

@@ -336,7 +336,7 @@ namespace ThermoContact
       .means("Young's modulus E, Pa.", "stress");
     entry.unbound("Poisson ratio", "0", Double(-0.999, 0.4999))
       .means("Poisson ratio nu, for confined lateral sides and Dimension > 1.");
-    entry.unbound("Lateral sides", "free", Selection("free|confined"))
+    entry("Lateral sides", lateral_sides, Selection("free|confined"))
       .means("For Dimension = 1: free, a thin rod, whose stiffness is Young's "
              "modulus; or confined, no lateral strain: the P-wave modulus.");
     entry.unbound("Viscosity", "0", positive)

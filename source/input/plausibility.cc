@@ -28,6 +28,7 @@ namespace ThermoContact
       {"Boundary/right/Surroundings", 150., infinity, "degC"},
       {"Contact/Gap", -1., 1., "um"},
       {"Contact/Rear gap", -1., 1., "um"},
+      {"Contact/Stiffness", 1e3, infinity, "N/mm"},
       {"Initial values/Temperature", 150., infinity, "degC"},
       {"Rod/Cross-section area", 0., 1., "mm^2"},
       {"Rod/Density", 20., infinity, "g/cm^3"},
@@ -48,8 +49,14 @@ namespace ThermoContact
     std::vector<std::string> doubts;
     if (!is_in_si(assignments))
       return doubts;
+    // a stiffness of a power law has a unit that no number can carry
+    const Assignment *const law =
+      last_assignment(assignments, "Contact/Condition");
+    const bool has_power = law != nullptr && law->value == "power law";
     for (const Range &range : ranges)
       {
+        if (has_power && range.path == "Contact/Stiffness")
+          continue;
         const Assignment *const last = last_assignment(assignments, range.path);
         const auto        split = last ? split_unit(last->value) : std::nullopt;
         const std::string begin = range.path + " = ";

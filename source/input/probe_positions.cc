@@ -3,6 +3,7 @@
 #include <thermocontact/base/exceptions.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/input/parameters.h>
+#include <thermocontact/input/unit_text.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -30,14 +31,42 @@ namespace ThermoContact
                     const std::string &position,
                     const std::string &fault)
     {
-      const unsigned int dim = parameters.dimension;
-      throw InputError(
-        "Output/Probes = " + parameters.output.probes + ": '" + position +
-        "' " + fault + "\n  allowed: " + parameters.mesh.limits_of_places(dim) +
-        "; ';' between positions\n  remedy:  e.g. Output/Probes = " +
-        (dim == 1 ? "0.5; 1" : (dim == 2 ? "0.5, 0" : "0.5, 0, 0")));
+      const unsigned int dim     = parameters.dimension;
+      const auto         in_unit = [&](const double x) {
+        return parameters.text_of_coordinate(x);
+      };
+      std::string shown = position;
+      if (parameters.rod.length > 0.)
+        {
+          shown.clear();
+          for (const std::string &part : split(position, ','))
+            {
+              const auto x = parse_number(part);
+              shown += (shown.empty() ? "" : ", ") + (x ? in_unit(*x) : part);
+            }
+        }
+      std::string example = in_unit(0.5) + (dim == 1 ? "; " + in_unit(1.) : "");
+      for (unsigned int d = 1; d < dim; ++d)
+        example += ", " + in_unit(0.);
+      throw InputError("Output/Probes = " + parameters.output.probes + ": '" +
+                       shown + "' " + fault + "\n  allowed: " +
+                       parameters.mesh.limits_of_places(dim, in_unit) +
+                       "; ';' between positions\n  remedy:  e.g. "
+                       "Output/Probes = " +
+                       example);
     }
   } // namespace
+
+
+
+  std::string
+  Parameters::text_of_coordinate(const double x) const
+  {
+    const std::string &unit = output.unit_of_probes;
+    if (!(rod.length > 0.))
+      return text(x);
+    return text(convert_unit(x * rod.length, "m", unit).value(), ' ', unit);
+  }
 
 
 

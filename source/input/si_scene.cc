@@ -296,7 +296,7 @@ namespace ThermoContact
             given("Boundary/right/Temperature").value_or("none") == "none"),
          "Boundary/right/Heat exchange");
     need(has_displacement && law.name != no_obstacle().name &&
-           can_have_contact(assignments),
+           takes_from_section("Gap"),
          "Contact/Gap");
     for (const std::string &stiffness : given_stiffnesses())
       {
@@ -563,8 +563,9 @@ namespace ThermoContact
         const auto has_own = [&](const std::string &name) {
           return given(section + name).value_or("none") != "none";
         };
-        if (has_law_at(section + entry) &&
-            law_at(section + entry).uses(entry) && !has_own(entry) &&
+        const bool has_entry =
+          entry == "Gap" || law_at(section + entry).uses(entry);
+        if (has_law_at(section + entry) && has_entry && !has_own(entry) &&
             !(entry == "Compliance" && has_own("Stiffness")))
           return true;
       }

@@ -51,7 +51,29 @@ namespace ThermoContact
 
 
 
-    const std::string no_inertia = "Model/Inertia = 0";
+    /**
+     * A reason: terms are zero by @p entry; a file in SI units, which cannot
+     * have that entry, leaves out inertia by another one.
+     */
+    std::string
+    left_out(const Scene &scene, const std::string &entry = "Model/Inertia = 0")
+    {
+      const RodParameters &rod = scene.parameters.rod;
+      return rod.length > 0. ?
+               "Rod/Small terms = " + rod.small_terms + " leaves out inertia" :
+               entry;
+    }
+
+
+
+    /** The remedy for that. */
+    std::string
+    take_in(const Scene       &scene,
+            const std::string &entry = "Model/Inertia above 0")
+    {
+      return scene.parameters.rod.length > 0. ? "Rod/Small terms = kept" :
+                                                entry;
+    }
 
 
 
@@ -95,7 +117,9 @@ namespace ThermoContact
                      "that scheme needs the gradient"));
       damped.since(scene.contact.has_massless_nodes &&
                      !scene.material.has_viscosity(),
-                   "Contact/Massless nodes = on and Model/Viscosity = 0",
+                   scene.parameters.rod.length > 0. ?
+                     "Contact/Massless nodes = on and Rod/Viscosity = 0" :
+                     "Contact/Massless nodes = on and Model/Viscosity = 0",
                    "Contact/Massless nodes = automatic: nodes without mass and "
                    "viscosity are in equilibrium at all times, which a damped "
                    "obstacle does not leave them");
@@ -107,9 +131,10 @@ namespace ThermoContact
                   "Contact/Massless nodes = automatic: a dashpot stops a "
                   "node without mass at once");
       stops.since(scene.material.is_static(),
-                  "Model/Inertia = 0 and Model/Viscosity = 0",
-                  "Model/Viscosity above 0: a dashpot stops a body without "
-                  "inertia and viscosity at once");
+                  left_out(scene, "Model/Inertia = 0 and Model/Viscosity = 0"),
+                  take_in(scene, "Model/Viscosity above 0") +
+                    ": a dashpot stops a body without inertia and viscosity "
+                    "at once");
     }
 
 
@@ -250,7 +275,7 @@ namespace ThermoContact
                   name_of_scheme(scene),
                   "the prescribed first step of the paper is of order 1");
       start.since(!scene.material.has_inertia(),
-                  no_inertia,
+                  left_out(scene),
                   remedy +
                     "a body without inertia has no velocity to start with");
       start.since(scene.heat.exchange->dependence().any(),
@@ -422,7 +447,7 @@ namespace ThermoContact
       const Scheme     &scheme     = scene.scheme;
       Refusal{"Time/Scheme", scheme.name, "a scheme of another name"}.since(
         !scheme.needs_inertia.empty() && !scene.material.has_inertia(),
-        no_inertia,
+        left_out(scene),
         take_default_scheme(scheme.needs_inertia));
       if (!scene.contact.law->is_active())
         return;
@@ -469,7 +494,7 @@ namespace ThermoContact
       solver.since(!scene.fields.has_temperature ||
                      !scene.material.has_inertia(),
                    !scene.material.has_inertia() ?
-                     no_inertia :
+                     left_out(scene) :
                      "Model/Fields = " + parameters.model.fields,
                    "Solver/Step solver = monolithic: " + iteration +
                      "belongs to its full model");
@@ -554,12 +579,16 @@ namespace ThermoContact
                 path + " = 0, or a second subsection of Bodies, Kind = mass, "
                        "which carries it");
             attached.since(is_mass && !scene.material.has_inertia(),
-                           no_inertia,
-                           "Model/Inertia above 0, such as 1e-3 of the mass");
-            attached.since(resists_velocity && scene.material.is_static(),
-                           "Model/Inertia = 0 and Model/Viscosity = 0",
-                           "one of them above 0: a body without both moves at "
-                           "once where a load jumps, against any dashpot");
+                           left_out(scene),
+                           take_in(scene,
+                                   "Model/Inertia above 0, such as 1e-3 of the "
+                                   "mass"));
+            attached.since(
+              resists_velocity && scene.material.is_static(),
+              left_out(scene, "Model/Inertia = 0 and Model/Viscosity = 0"),
+              take_in(scene, "one of them above 0") +
+                ": a body without inertia and viscosity moves at "
+                "once where a load jumps, against any dashpot");
             attached.since(scene.is_fixed_point,
                            "Solver/Step solver = fixed point",
                            "Solver/Step solver = monolithic");
@@ -604,8 +633,8 @@ namespace ThermoContact
         is_viscous ? boundary.left.dashpot + boundary.right.dashpot :
                       boundary.left.spring + boundary.right.spring;
       support.since(!scene.material.has_inertia() && resistance == 0.,
-                    no_inertia,
-                    text("Model/Inertia above 0",
+                    left_out(scene),
+                    text(take_in(scene),
                          scene.parameters.dimension > 1 ? "" :
                          is_viscous ? ", or Boundary/left/Dashpot" :
                                       ", or Boundary/left/Spring",
@@ -696,12 +725,19 @@ namespace ThermoContact
       const bool        are_held = n_parts == 1 ?
                                      is_held_left || is_held_right :
                                      n_parts == 2 && is_held_left && is_held_right;
+      const bool        is_in_si = scene.parameters.rod.length > 0.;
+      std::string       remedy   = "Contacts/A B/Condition = bonded, or " +
+                           take_in(scene) +
+                           (is_in_si ? " in a run as short as waves" : "");
+      if (n_parts == 1 || (n_parts == 2 && is_held_left))
+        remedy =
+          "Boundary/right/Support = clamped for the last body, " + remedy;
       if (!are_held)
-        refuse("Model/Inertia",
-               0,
-               "above 0, since a body of the row is held by nothing",
-               "Model/Inertia above 0, Boundary/right/Support = clamped for "
-               "the last one, or Contacts/A B/Condition = bonded");
+        refuse(is_in_si ? "Rod/Small terms" : "Model/Inertia",
+               is_in_si ? scene.parameters.rod.small_terms : "0",
+               std::string(is_in_si ? "kept" : "above 0") +
+                 ", since a body of the row is held by nothing",
+               remedy);
     }
 
 
@@ -805,11 +841,12 @@ namespace ThermoContact
          "temperature",
          "temperature and displacement or displacement",
          "Model/Fields = displacement");
+      const bool is_in_si = parameters.rod.length > 0.;
       no(!scene.material.has_inertia(),
-         "Model/Inertia",
-         "0",
-         "above 0",
-         "Model/Inertia above 0: a mass is inertia alone");
+         is_in_si ? "Rod/Small terms" : "Model/Inertia",
+         is_in_si ? parameters.rod.small_terms : "0",
+         is_in_si ? "kept" : "above 0",
+         take_in(scene) + ": a mass is inertia alone");
       const std::string &support = parameters.boundary.right.support;
       no(support != "contact",
          "Boundary/right/Support",
@@ -943,9 +980,10 @@ namespace ThermoContact
                     "Boundary/right/Support = free instead of it");
           own.since(contact.has_rigid_beside_elastic() && contact.is_damped() &&
                       !scene.material.has_inertia(),
-                    no_inertia + " and a contact is damped, whose pressure "
-                                 "follows from the velocity that a rigid one "
-                                 "beside it takes",
+                    left_out(scene) +
+                      " and a contact is damped, whose pressure "
+                      "follows from the velocity that a rigid one "
+                      "beside it takes",
                     "an elastic Condition for all contacts, or no Damping and "
                     "Dashpot");
         }
@@ -1055,8 +1093,8 @@ namespace ThermoContact
           Refusal{path + "/Kind", "mass", "rod"}.since(
             body.is_mass() && scene.fields.has_displacement &&
               !scene.material.has_inertia(),
-            no_inertia,
-            "Model/Inertia above 0: a mass is inertia alone");
+            left_out(scene),
+            take_in(scene) + ": a mass is inertia alone");
         }
       check_kinds_of_contacts(scene);
       for (const RowContact &contact : row.contacts)
@@ -1080,9 +1118,9 @@ namespace ThermoContact
                   Tolerances::rounding_of_data * row.length();
                 is_in_rod = is_in_rod || (x >= body.begin - rounding &&
                                           x <= body.end + rounding);
-                spans.push_back(text(significant(body.begin, 6),
-                                     " to ",
-                                     significant(body.end, 6)));
+                spans.push_back(parameters.text_of_coordinate(body.begin) +
+                                " to " +
+                                parameters.text_of_coordinate(body.end));
               }
           if (!is_in_rod)
             refuse("Output/Probes",
@@ -1117,8 +1155,8 @@ namespace ThermoContact
           refuse(path,
                  parameters.sources.body_force,
                  "a force along the axis, since Boundary/left/Support = "
-                 "sliding, Boundary/sides/Support = free and Model/Inertia = "
-                 "0",
+                 "sliding, Boundary/sides/Support = free and " +
+                   left_out(scene),
                  "Boundary/sides/Support = symmetric or rollers, or "
                  "Boundary/left/Support = clamped: nothing holds the body "
                  "across its axis");

@@ -7,6 +7,7 @@
 #include <thermocontact/scene/scene.h>
 #include <thermocontact/scene/scene_checks.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -226,8 +227,6 @@ namespace ThermoContact
             is_taken =
               is_taken || !(pair != nullptr && pair->own_law.has_number(name));
           }
-        if (entry == "Stiffness") // of a file in SI units
-          is_used = is_taken = general.uses(name);
         unused.add_if(!is_taken,
                       {path},
                       is_used ? "each of Contacts = a number of its own" :
@@ -246,6 +245,20 @@ namespace ThermoContact
       add("Compliance", "Stiffness");
       for (const ContactLawEntry &entry : contact_law_entries())
         add(entry.name, entry.name);
+    }
+
+
+
+    /** A reason, in a file in SI units by what it has for a coefficient. */
+    std::string
+    in_entries_of_file(const std::string &reason, const Scene &scene)
+    {
+      const RodParameters &rod = scene.parameters.rod;
+      if (rod.length > 0. && begins_with(reason, "Model/Inertia = 0"))
+        return "Rod/Small terms = " + rod.small_terms;
+      if (rod.length > 0. && reason == "Model/Coupling = 0")
+        return "Rod/Linear expansion = 0";
+      return reason;
     }
 
 
@@ -275,6 +288,10 @@ namespace ThermoContact
                    "Mesh/Cells across",
                    "Mesh/Grading across"},
                   "Dimension = 1");
+    const std::string &sides = parameters.rod.lateral_sides;
+    unused.add_if(parameters.dimension == 1 && sides != "confined",
+                  {"Rod/Poisson ratio"},
+                  "Rod/Lateral sides = " + sides);
     unused.add_if(parameters.dimension == 1 && scene.has_sliding_end,
                   {"Boundary/left/Support"},
                   "Dimension = 1");
@@ -306,6 +323,18 @@ namespace ThermoContact
     const ContactLawKind &law       = contact_law(parameters.contact.condition);
     const std::string     condition = "Contact/Condition = " + law.name;
     add_by_laws(scene, law, unused);
+    const std::vector<RowContact> &contacts = scene.row.contacts;
+    unused.add_if(!parameters.boundary.right.meets_obstacle() &&
+                    !contacts.empty() &&
+                    std::all_of(contacts.begin(),
+                                contacts.end(),
+                                [&](const RowContact &contact) {
+                                  const PairParameters *const pair =
+                                    parameters.row.find_pair(contact.name);
+                                  return pair != nullptr && pair->gap;
+                                }),
+                  {"Contact/Gap"},
+                  "each of Contacts = a number of its own");
     unused.add_if(!parameters.uses_general_law(),
                   {"Contact/Condition"},
                   "each of Contacts = a Condition of its own");
@@ -412,17 +441,26 @@ namespace ThermoContact
     const std::vector<DeclaredEntry> entries = declared_entries(prm);
     std::vector<std::string>         faults;
     std::set<std::string>            told; // one reason is enough
+    // section Rod sets entries that the file does not have
+    const auto is_derived = [&](const std::string &path) {
+      return scene.parameters.rod.length > 0. &&
+             last_assignment(assignments, path) == nullptr;
+    };
     for (const UnusedEntry &unused : unused_entries(scene))
       for (const DeclaredEntry &entry : entries)
-        if (entry.path == unused.path &&
+        if (entry.path == unused.path && !is_derived(entry.path) &&
             !equal_values(entry.value, entry.default_value) &&
             told.insert(entry.path).second)
-          faults.push_back(complete_message(
-            entry.path + " = " + quote(entry.value) + " has no effect, since " +
-              unused.reason + "\n  remedy:  remove the entry or change " +
-              unused.reason.substr(0, unused.reason.find(" =")),
-            assignments,
-            prm));
+          {
+            const std::string reason = in_entries_of_file(unused.reason, scene);
+            faults.push_back(
+              complete_message(entry.path + " = " + quote(entry.value) +
+                                 " has no effect, since " + reason +
+                                 "\n  remedy:  remove the entry or change " +
+                                 reason.substr(0, reason.find(" =")),
+                               assignments,
+                               prm));
+          }
     throw_faults(faults);
   }
 } // namespace ThermoContact

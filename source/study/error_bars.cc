@@ -173,6 +173,15 @@ namespace ThermoContact
 
 
 
+    /** A bar of a restitution, which without drives is 1 at most. */
+    bool
+    exceeds_range(const double bar, const double restitution)
+    {
+      return bar > std::max(1., std::abs(restitution));
+    }
+
+
+
     /** (D9.4) of the differences that there are. */
     KeyResults
     space_errors(const Parameters  &parameters,
@@ -278,9 +287,13 @@ namespace ThermoContact
       if (std::isnan(values.at(k)) ||
           (!has_largest_force &&
            (k == "max_contact_force" || k == "max_penetration")) ||
-          // the boundary layer of a release has no order on equal cells
-          (k == "restitution" && scene.scheme.has_no_dispersion &&
-           scene.material.has_viscosity()))
+          // the boundary layer of a release has no order on equal cells; in
+          // repeats an impact with next to no velocity tells nothing
+          (k == "restitution" &&
+           ((scene.scheme.has_no_dispersion &&
+             scene.material.has_viscosity()) ||
+            exceeds_range(errors.time[k], values.at(k)) ||
+            exceeds_range(errors.space[k], values.at(k)))))
         errors.time[k] = errors.space[k] = nan;
     return errors;
   }

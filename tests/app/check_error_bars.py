@@ -60,6 +60,11 @@ CASES = [
     (("Model/Fields=displacement", "Model/Viscosity=0", "Initial values/Velocity=if(x>0.5,1,0)",
       "Mesh/Cells=40", "Contact/Compliance=1e-3", "Time/Scheme=box"), [],
      [("Mesh/Cells=20",), ("Mesh/Cells=10",)], None),
+    # pressed on the obstacle from rest, where the velocity of the first contact is that of a
+    # step: errors of restitutions that are longer than their range
+    (("Model/Fields=displacement", "Model/Viscosity=0", "Initial values/Velocity=0", "Contact/Gap=0",
+      "Boundary/right/Traction=sin(8*t)", "Contact/Condition=rigid", "Mesh/Cells=24",
+      "Time/Scheme=box"), [], [("Mesh/Cells=12",), ("Mesh/Cells=6",)], None),
     # the rate of the penetration is the velocity relative to the obstacle
     (("Time/Tolerance=1e-3", "Mesh/Degree=5", "Contact/Gap=0.1+0.3*t"),
      [(("Time/Tolerance=1e-2",), 0.5), (("Time/Tolerance=0.1",), 0.05)],
@@ -257,6 +262,9 @@ def check_case(case):
              if smallest is None else
              space_bars(values, repeats[len(in_time):], time, smallest))
     faults = []
+    longest = max([bar for bar in (time["restitution"], space["restitution"]) if not math.isnan(bar)], default=0)
+    if summary["restitution"] is not None and longest > max(1, abs(summary["restitution"])):
+        time["restitution"] = space["restitution"] = math.nan
     for key in KEYS:
         for kind, bar in (("time", time[key]), ("space", space[key])):
             found = summary[f"{key}_{kind}_error"]

@@ -25,7 +25,7 @@ L, A, RHO, E, NU, ETA, ALPHA, KAPPA, C, REF = (
     0.3, 2e-4, 5000.0, 9e10, 0.25, 4e8, 1.5e-5, 40.0, 500.0, 300.0)
 ROD = {"Length": ("0.3", "30 cm"), "Cross-section area": ("2e-4", "2 cm^2"),
        "Density": ("5000", "5 g/cm3"), "Young's modulus": ("9e10", "90 GPa"),
-       "Poisson ratio": ("0.25", "0.25"), "Viscosity": ("4e8", "0.4 GPa s"),
+       "Viscosity": ("4e8", "0.4 GPa s"),
        "Linear expansion": ("1.5e-5", "15 um/(m K)"), "Conductivity": ("40", "40 W/(m K)"),
        "Heat capacity": ("500", "0.5 kJ/(kg K)"),
        "Reference temperature": ("300", "26.85 degC"), "Small terms": ("kept", "kept")}
@@ -143,7 +143,7 @@ def check_quantities():
     needed = {path: entries[path][:2] for path in (
         "Boundary/left/Temperature", "Boundary/right/Heat exchange", "Contact/Gap",
         "Time/End time")}
-    check_scene("strip.prm", {**needed, "Dimension": ("2", "2"), "Mesh/Width": ("0.06", "6 cm"),
+    check_scene("strip.prm", {**needed, "Dimension": ("2", "2"), "Rod/Poisson ratio": ("0.25", "0.25"), "Mesh/Width": ("0.06", "6 cm"),
                               "Contact/Compliance": ("2e-12", "2 pm/Pa"),
                               "Time/Step size": ("90", "1.5 min")},
                 {"Mesh/Width": 0.06 / L, "Contact/Compliance": 2e-12 * e / L,
@@ -223,6 +223,8 @@ def check_missing():
     rod, contact = ["Cross-section area", "Density"], ["Contact/Gap", "Contact/Stiffness"]
     hot = ["Conductivity", "Heat capacity", "Reference temperature"]
     ends = ["Boundary/left/Temperature", "Boundary/right/Heat exchange"]
+    row = ("Model/Fields=displacement", "Boundary/right/Support=free", "Bodies/a/Length=0.5",
+           "Bodies/b/Length=0.5")
     for names, *overrides in (
             (rod + ["Young's modulus"] + hot + ["Linear expansion"] + ends + contact,),
             (rod + hot + ends, "Model/Fields=temperature"),
@@ -235,6 +237,12 @@ def check_missing():
              "Rod/Lateral sides=confined"),
             (rod + ["Young's modulus", "Poisson ratio"] + contact[:1] + ["Mesh/Width"],
              "Model/Fields=displacement", "Contact/Condition=rigid", "Dimension=2"),
+            # two bodies that meet each other alone, with a gap and a stiffness of their own
+            (rod + ["Young's modulus"], *row, "Contacts/a b/Gap=1e-4", "Contacts/a b/Stiffness=1e8"),
+            (rod + ["Young's modulus"] + contact[:1], *row, "Contacts/a b/Stiffness=1e8"),
+            (rod + ["Young's modulus"] + contact[1:], *row, "Contacts/a b/Gap=1e-4"),
+            (rod + ["Young's modulus"] + contact, *row, "Contacts/a b/Gap=1e-4",
+             "Contacts/a b/Stiffness=1e8", "Boundary/right/Support=contact"),
             (rod + ["Young's modulus"], "Model/Fields=displacement", "Contact/Condition=none")):
         names = [name if "/" in name else f"Rod/{name}" for name in names] + ["Time/End time"]
         message = run("--units", *settings(overrides), "length.prm")[2]

@@ -31,6 +31,7 @@ VALUES = {
     "Mesh/Cells": "20", "Mesh/Refinements": "1",
     "Contact/Condition": "rigid", "Contact/Compliance": "0.02", "Contact/Exponent": "2",
     "Contact/Damping": "0.5", "Contact/Dashpot": "0.5", "Contact/Stiffness": "1e8", "Rod/Lateral sides": "confined",
+    "Rod/Poisson ratio": "0.3",
     "Contact/Rear compliance": "2", "Contact/Rear exponent": "2",
     "Contact/Rear damping": "2", "Contact/Rear dashpot": "2", "Contact/Rear stiffness": "1e8",
     **{f"Contacts/{pair}/{name}": "2" for pair in ("a b", "b a")
@@ -61,10 +62,11 @@ SCALES = tuple(f"Scales/{name}=2" for name in (
     "Length", "Time", "Stress", "Area", "Temperature", "Reference temperature"))
 HOT_ROD = tuple(f"Rod/{entry}" for entry in (
     "Length=1", "Cross-section area=1e-4", "Density=7850", "Young's modulus=2.1e11",
-    "Poisson ratio=0.3", "Linear expansion=1e-5", "Conductivity=50", "Heat capacity=450",
+    "Linear expansion=1e-5", "Conductivity=50", "Heat capacity=450",
     "Reference temperature=293")) + (
         "Boundary/left/Temperature=300", "Boundary/right/Heat exchange=9", "Time/End time=1")
 ROD = HOT_ROD + ("Contact/Gap=1e-4",)
+STIFF = ROD + ("Contact/Stiffness=1e8",)
 MECHANICAL = """Model/Inertia; Model/Viscosity; Model/Coupling;
      Model/Thermoelastic heating; Model/Poisson ratio;
      Boundary/sides/Support; Boundary/left/Support;
@@ -141,6 +143,10 @@ SCENES = [
      TWO + ("Boundary/right/Support=free", "Contacts/b a/Compliance=0.5"), TWO + ("Contacts/b a/Compliance=0.5",),
      TWO + ("Boundary/right/Support=free",),
      TWO + ("Boundary/right/Support=free", "Contacts/b a/Compliance=0.5", "Bodies/c/Length=1")),
+    ("each of Contacts = a number of its own", "Contact/Gap",
+     TWO + ("Boundary/right/Support=free", "Contacts/b a/Gap=0.1"), TWO + ("Contacts/b a/Gap=0.1",),
+     TWO + ("Boundary/right/Support=free",),
+     TWO + ("Boundary/right/Support=free", "Contacts/b a/Gap=0.1", "Bodies/c/Length=1")),
     ("Model/Fields = temperature", "Contacts/b a/Gap", TWO[1:] + ("Model/Fields=temperature",), TWO),
     ("Model/Fields = displacement", "Contacts/b a/Heat exchange", TWO + ("Model/Fields=displacement",), TWO),
     ("Model/Fields = temperature", "Bodies/a/Mass", ROW[1:] + ("Model/Fields=temperature", "Bodies/a/Kind=mass"),
@@ -168,8 +174,18 @@ SCENES = [
     ("Model/Fields = temperature", "Contact/Stiffness",
      HOT_ROD + ("Model/Fields=temperature",), ROD),
     ("Dimension = 2", "Rod/Lateral sides",
-     ROD + ("Contact/Stiffness=1e8", "Mesh/Width=0.1", PLANE),
-     ROD + ("Contact/Stiffness=1e8",)),
+     STIFF + ("Rod/Poisson ratio=0.3", "Mesh/Width=0.1", PLANE), STIFF + ("Rod/Poisson ratio=0.3",)),
+    ("Rod/Lateral sides = free", "Rod/Poisson ratio", STIFF, STIFF + ("Rod/Lateral sides=confined",),
+     STIFF + ("Mesh/Width=0.1", PLANE)),
+    # section Rod decides on what other files have a coefficient for
+    ("Rod/Small terms = dropped", "Initial values/Velocity; Initial values/Displacement; Contact/Massless nodes",
+     STIFF + ("Rod/Small terms=dropped",), STIFF + ("Rod/Small terms=kept",)),
+    ("Rod/Linear expansion = 0", "Model/Thermoelastic heating", STIFF + ("Rod/Linear expansion=0",), STIFF),
+    # a stiffness under its own name
+    ("each of Contacts = a number of its own", "Contact/Stiffness; Contact/Gap",
+     HOT_ROD + TWO + ("Boundary/right/Support=free", "Contacts/b a/Gap=1e-4", "Contacts/b a/Stiffness=1e8"),
+     HOT_ROD + TWO + ("Contacts/b a/Gap=1e-4", "Contacts/b a/Stiffness=1e8"),
+     HOT_ROD + TWO + ("Boundary/right/Support=free",)),
     ("Contact/Condition = none", "Contact/Compliance",
      ("Contact/Condition=none",), ("Contact/Condition=normal compliance",)),
     ("Contact/Condition = normal compliance", "Contact/Exponent", (),

@@ -25,6 +25,11 @@ SDIRK = ("Time/Scheme=sdirk4",)
 MOVING = ("Model/Fields=displacement",)
 CONDITION = "Contacts/a b/Condition"
 RESTITUTION = "Contact/Restitution"
+# of steel, which vibrates in 0.2 ms; the coefficients follow from section Rod
+STEEL = MOVING + ("Rod/Length=1", "Rod/Cross-section area=1e-4", "Rod/Density=7850", "Rod/Young's modulus=2.1e11",
+                  "Contact/Gap=1e-4", "Contact/Stiffness=1e8", "Time/End time=1e-3")
+TERMS = "Rod/Small terms"
+QUIET = STEEL + (TERMS + "=dropped",)
 BALLS = MOVING + FREE + mass("a") + mass("b") + ALONE
 
 SCENES = [
@@ -39,7 +44,7 @@ SCENES = [
     ("Contact/Rear gap", TWO + RIGID + ("Contact/Rear gap=0.1", "Contacts/a b/Gap=1"), "Bodies/b/Displacement=-0.2",
      "Bodies/b/Displacement=-0.1"),
     ("Contacts", TWO + RIGID + ("Contact/Rear gap=0.1",), "Bodies/b/Displacement=0.2", "Bodies/b/Displacement=0.1"),
-    ("Contact/Gap", TWO + ALONE + ("Contacts/a b/Gap=0.1",), "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1",
+    ("Contact/Gap", TWO + ALONE + (CONDITION + "=bonded",), "Contact/Gap=0.1+0.01*t", "Contact/Gap=0.1",
      ("Contact/Gap=0.1+0.01*t", "Boundary/right/Support=contact")),
     ("Contacts/a b/Gap", TWO, "Contact/Gap=0.1+0.01*t", ("Contact/Gap=0.1+0.01*t", "Contacts/a b/Gap=0.1")),
     # an end where nothing is met
@@ -89,6 +94,20 @@ SCENES = [
      STATIC + (CONDITION + "=bonded",)),
     ("Model/Inertia", rods("a", "b", "c") + HELD, "Model/Inertia=0", "Model/Inertia=0.1",
      STATIC + (CONDITION + "=bonded",)),
+    (TERMS, STEEL + TWO + ALONE, TERMS + "=dropped", TERMS + "=kept", (TERMS + "=dropped",) + HELD,
+     (TERMS + "=dropped", CONDITION + "=bonded")),
+    (TERMS, STEEL + rods("a", "b", "c") + HELD, TERMS + "=dropped", TERMS + "=kept",
+     (TERMS + "=dropped", CONDITION + "=bonded")),
+    # in SI units the remedy is one of section Rod
+    ("Bodies/a/Kind", QUIET + rods("b") + ALONE, "Bodies/a/Kind=mass", ("Bodies/a/Kind=mass", TERMS + "=kept")),
+    *[(entry, QUIET, f"{entry}={value}", f"{entry}={allowed}", (f"{entry}={value}", TERMS + "=kept"))
+      for entry, value, allowed in (
+          ("Boundary/left/Support", "free", "clamped"), ("Boundary/right/Mass", "1", "0"),
+          ("Boundary/right/Dashpot", "1", "0"), ("Contact/Dashpot", "1", "0"))],
+    ("Contact/Damping", STEEL + ("Contact/Massless nodes=on",), "Contact/Damping=1", "Contact/Damping=0",
+     ("Contact/Damping=1", "Rod/Viscosity=1e5"), ("Contact/Damping=1", "Contact/Massless nodes=automatic")),
+    (TERMS, STEEL + ("Dimension=2", "Rod/Poisson ratio=0.3", "Mesh/Width=0.1", "Bodies/a/Kind=rod") + mass("b"),
+     TERMS + "=dropped", TERMS + "=kept"),
     # rigid masses that meet
     (RESTITUTION, BALLS + RIGID, RESTITUTION + "=none", RESTITUTION + "=0.5",
      (RESTITUTION + "=none", "Contact/Condition=normal compliance")),

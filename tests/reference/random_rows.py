@@ -78,7 +78,9 @@ class Scene:
     def overrides(self):
         entries = ["Model/Fields=displacement", "Model/Viscosity=0", "Contact/Condition=rigid",
                    f"Time/End time={self.end_time}", f"Boundary/left/Support={self.left}",
-                   f"Boundary/right/Support={self.right}", f"Contact/Gap={self.obstacle_gap}"]
+                   f"Boundary/right/Support={self.right}"]
+        if self.right == "contact":
+            entries.append(f"Contact/Gap={self.obstacle_gap}")
         for body in self.bodies:
             entries += body.entries()
         for gap, first, second in zip(self.gaps, self.bodies, self.bodies[1:]):

@@ -196,6 +196,7 @@ namespace
             "degC"},
            {{"Contact/Gap", "Contact/Rear gap"}, "0.9", "1.1", "m", "um"},
            {{"Contact/Gap", "Contact/Rear gap"}, "-0.9", "-1.1", "m", "um"},
+           {{"Contact/Stiffness"}, "1.1e3", "900", "N/m", "N/mm"},
            {{"Rod/Cross-section area"}, "0.9", "1.1", "m^2", "mm^2"},
            {{"Rod/Density"}, "20.1", "19.9", "kg/m^3", "g/cm^3"},
            {{"Rod/Density"}, "2.9e4", "3.1e4", "kg/m^3", "g/m^3"},

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -331,9 +332,15 @@ namespace ThermoContact
              z <= width;
     }
 
-    /** The range of the coordinates of places in the body, for messages. */
+    /**
+     * The range of the coordinates of places in the body, for messages.
+     *
+     * @param in_unit says a coordinate
+     */
     std::string
-    limits_of_places(const unsigned int dim) const;
+    limits_of_places(
+      const unsigned int                                dim,
+      const std::function<std::string(const double x)> &in_unit) const;
   };
 
 
@@ -413,7 +420,8 @@ namespace ThermoContact
     std::string fields_cells     = "linear";
     double      contact_interval = 0.;
     bool        boundaries       = false;
-    std::string probes; ///< read by probe_positions()
+    std::string probes;               ///< read by probe_positions()
+    std::string unit_of_probes = "m"; ///< of messages, in a file in SI units
     double      space_time_interval = 0.;
     double      period              = 0.;    ///< of poincare.csv
     bool        land_on_times       = false; ///< steps end on output times
@@ -478,7 +486,7 @@ namespace ThermoContact
     double      length         = 0.; ///< m; 0: there is no such section
     double      density        = 0.; ///< kg/m^3
     double      youngs_modulus = 0.; ///< Pa
-    std::string small_terms    = "automatic";
+    std::string small_terms = "automatic", lateral_sides = "free";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -586,6 +594,10 @@ namespace ThermoContact
      */
     ExpressionNames
     names(const std::string &path) const;
+
+    /** A coordinate of a probe in messages, in the unit of Output/Probes. */
+    std::string
+    text_of_coordinate(const double x) const;
 
     /**
      * Reads Output/Probes: positions separated by ';', the coordinates of each

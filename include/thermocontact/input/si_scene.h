@@ -134,7 +134,7 @@ namespace ThermoContact
     double
     law_exponent(const std::string &path) const;
 
-    /** A contact has this number of its law from section Contact. */
+    /** A contact has Gap or this number of its law from section Contact. */
     bool
     takes_from_section(const std::string &entry) const;
 
