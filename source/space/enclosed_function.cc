@@ -4,8 +4,8 @@
 #include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/space/enclosed_function.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -19,6 +19,11 @@ namespace ThermoContact
      * takes 50, one along a curve is then followed to a hundredth of a cell.
      */
     constexpr std::size_t max_pieces = 256;
+
+
+
+    /** Along an axis of a small piece, in which a load is nearly a parabola. */
+    constexpr unsigned int fewest_points = 4;
 
 
 
@@ -125,8 +130,9 @@ namespace ThermoContact
                                     const BoundingBox<dim>      &body,
                                     const unsigned int           n_points)
     : function(function)
-    , n_points(n_points)
   {
+    for (unsigned int n = n_points; n >= std::min(n_points, fewest_points); --n)
+      rules.emplace_back(n);
     for (unsigned int c = 0; c < function.n_components; ++c)
       negligible.push_back(Tolerances::negligible_load *
                            function.bound(body, c));
@@ -152,24 +158,34 @@ namespace ThermoContact
   {
     const std::vector<BoundingBox<dim>> pieces =
       smooth_pieces(function, component, box, negligible[component]);
-    const dealii::QGauss<1> line(n_points);
     std::vector<Point<dim>> points;
     std::vector<double>     weights;
     for (const BoundingBox<dim> &piece : pieces)
       {
-        unsigned int n = 1;
+        // of what a polynomial is in half of a box each degree is halved
+        std::array<const dealii::QGauss<1> *, dim> lines{};
+        unsigned int                               n = 1;
         for (unsigned int d = 0; d < dim; ++d)
-          n *= piece.side_length(d) > 0. ? n_points : 1;
+          if (piece.side_length(d) > 0.)
+            {
+              const unsigned int n_halvings = std::lround(
+                std::log2(box.side_length(d) / piece.side_length(d)));
+              lines[d] =
+                &rules[std::min<std::size_t>(n_halvings, rules.size() - 1)];
+              n *= lines[d]->size();
+            }
         for (unsigned int q = 0; q < n; ++q)
           {
             Point<dim> place  = piece.get_boundary_points().first;
             double     weight = 1.;
             for (unsigned int d = 0, rest = q; d < dim; ++d)
-              if (const double h = piece.side_length(d); h > 0.)
+              if (lines[d] != nullptr)
                 {
-                  place[d] += h * line.point(rest % n_points)[0];
-                  weight *= h * line.weight(rest % n_points);
-                  rest /= n_points;
+                  const double       h = piece.side_length(d);
+                  const unsigned int k = rest % lines[d]->size();
+                  place[d] += h * lines[d]->point(k)[0];
+                  weight *= h * lines[d]->weight(k);
+                  rest /= lines[d]->size();
                 }
             points.push_back(place);
             weights.push_back(weight);

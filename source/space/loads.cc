@@ -5,6 +5,9 @@
 #include <thermocontact/space/loads.h>
 
 #include <deal.II/base/function.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_tools.h>
 
 namespace ThermoContact
 {
@@ -55,6 +58,10 @@ namespace ThermoContact
                   discretization.finite_element(),
                   QGauss<dim - 1>(n_points(discretization)),
                   update_values | update_quadrature_points | update_JxW_values)
+    , along_axis(Polynomials::generate_complete_Lagrange_basis(
+        QGaussLobatto<1>(discretization.degree() + 1).get_points()))
+    , lexicographic(FETools::hierarchic_to_lexicographic_numbering<dim>(
+        discretization.degree()))
     , sources(discretization.make_ghosted_vector())
     , cell_load(discretization.finite_element().dofs_per_cell)
     , outer_heat_(discretization.make_vector(Field::temperature))
@@ -276,39 +283,65 @@ namespace ThermoContact
                   const Field::Block                       field,
                   const Factor                            &factor)
   {
-    const unsigned int        first = discretization.first_component(field);
-    const FiniteElement<dim> &fe    = discretization.finite_element();
+    const unsigned int first = discretization.first_component(field);
     for (unsigned int c = 0; c < function.n_components; ++c)
       {
-        const auto add_at =
-          [&](const Point<dim> &place, const double weight, const auto &basis) {
-            const double f_JxW =
-              factor(place) * function.value(place, c) * weight;
-            for (const unsigned int i : values.dof_indices())
-              cell_load(i) += f_JxW * basis(i);
-          };
+        const auto value_at = [&](const Point<dim> &place,
+                                  const double      weight) {
+          return factor(place) * function.value(place, c) * weight;
+        };
         if (rule && !rule->is_smooth(box, c))
           {
             const Quadrature<dim> pieces = (*rule)(box, c);
             for (unsigned int q = 0; q < pieces.size(); ++q)
               {
                 const Point<dim> place = pieces.point(q);
-                const Point<dim> unit  = cell.unit_point(place);
-                add_at(place,
-                       pieces.weight(q) *
-                         discretization.geometry().weight_at(place),
-                       [&](const unsigned int i) {
-                         return fe.shape_value_component(i, unit, first + c);
-                       });
+                const double     value =
+                  value_at(place,
+                           pieces.weight(q) *
+                             discretization.geometry().weight_at(place));
+                if (value != 0.)
+                  add_at_point(cell.unit_point(place), first + c, value);
               }
           }
         else
           for (const unsigned int q : values.quadrature_point_indices())
-            add_at(values.quadrature_point(q),
-                   discretization.geometry().weight(values, q),
-                   [&](const unsigned int i) {
-                     return values.shape_value_component(i, q, first + c);
-                   });
+            {
+              const double value =
+                value_at(values.quadrature_point(q),
+                         discretization.geometry().weight(values, q));
+              for (const unsigned int i : values.dof_indices())
+                cell_load(i) +=
+                  value * values.shape_value_component(i, q, first + c);
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_at_point(const Point<dim>  &unit_point,
+                           const unsigned int component,
+                           const double       value)
+  {
+    const unsigned int n = along_axis.size();
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        at_point[d].resize(n);
+        for (unsigned int i = 0; i < n; ++i)
+          at_point[d][i] = along_axis[i].value(unit_point[d]);
+      }
+    for (unsigned int i = 0; i < lexicographic.size(); ++i)
+      {
+        double product = value;
+        for (unsigned int d = 0, rest = lexicographic[i]; d < dim; ++d)
+          {
+            product *= at_point[d][rest % n];
+            rest /= n;
+          }
+        cell_load(discretization.finite_element().component_to_system_index(
+          component, i)) += product;
       }
   }
 

@@ -7,7 +7,7 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/function.h>
-#include <deal.II/base/quadrature.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <vector>
 
@@ -64,7 +64,7 @@ namespace ThermoContact
     /**
      * @param function borrowed; its time is not to change meanwhile
      * @param body a box in which it is needed
-     * @param n_points along each axis of a piece
+     * @param n_points along each axis of a box; one less in each half of it
      */
     PiecewiseRule(const EnclosedFunction<dim> &function,
                   const BoundingBox<dim>      &body,
@@ -79,9 +79,9 @@ namespace ThermoContact
     operator()(const BoundingBox<dim> &box, const unsigned int component) const;
 
   private:
-    const EnclosedFunction<dim> &function;
-    const unsigned int           n_points;
-    std::vector<double>          negligible; ///< of each component
+    const EnclosedFunction<dim>   &function;
+    std::vector<dealii::QGauss<1>> rules; ///< along boxes, halves, quarters
+    std::vector<double>            negligible; ///< of each component
   };
 } // namespace ThermoContact
 

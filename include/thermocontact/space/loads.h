@@ -9,10 +9,14 @@
 #include <thermocontact/space/enclosed_function.h>
 #include <thermocontact/space/problem_data.h>
 
+#include <deal.II/base/polynomial.h>
+
 #include <deal.II/fe/fe_values.h>
 
+#include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace ThermoContact
 {
@@ -84,7 +88,14 @@ namespace ThermoContact
     const bool    has_nonlinear_terms; ///< SceneSources::has_nonlinear_terms
     const bool    is_steady;           ///< no source depends on the time
     FEValues<dim> fe_values;
-    FEFaceValues<dim>         face_values;
+    FEFaceValues<dim> face_values;
+
+    /** Basis functions of a field along an axis of the unit cell, and their
+     * numbers in its cells. */
+    const std::vector<Polynomials::Polynomial<double>> along_axis;
+    const std::vector<unsigned int>                    lexicographic;
+    std::array<std::vector<double>, dim>               at_point; ///< scratch
+
     AffineConstraints<double> unconstrained;
     BlockVector               sources;
     dealii::Vector<double>    cell_load;
@@ -107,6 +118,13 @@ namespace ThermoContact
         const std::optional<PiecewiseRule<dim>> &rule,
         const Field::Block                       field,
         const Factor                            &factor);
+
+    /** Adds a value times the basis functions of a component at a point of the
+     * unit cell to the load of a cell. */
+    void
+    add_at_point(const Point<dim>  &unit_point,
+                 const unsigned int component,
+                 const double       value);
 
     /** The rule for a source at its time; none for none. */
     std::optional<PiecewiseRule<dim>>
