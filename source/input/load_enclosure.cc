@@ -230,6 +230,30 @@ namespace ThermoContact
 
 
 
+  double
+  range_of(const TimeFunction &load,
+           const LoadHistory  &history,
+           const double        end_time)
+  {
+    constexpr unsigned int n_times = 64;
+    Interval               values(load.value(0.));
+    const auto             add = [&](const double time) {
+      values = hull(values, load.value(time));
+    };
+    for (unsigned int i = 1; i <= n_times; ++i)
+      add(end_time * i / n_times);
+    for (const LoadBreak &at : history.breaks)
+      {
+        add(at.old_time);
+        add(at.new_time);
+      }
+    for (const LoadStretch &stretch : history.stretches)
+      add(0.5 * (stretch.begin + stretch.end));
+    return values.width();
+  }
+
+
+
   bool
   is_nearly_parabolic(const IntervalJet &all,
                       const NumberJet   &middle,

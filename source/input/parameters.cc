@@ -599,7 +599,7 @@ namespace ThermoContact
                                                                        name);
     names.constants = constants;
     names.folder    = folder;
-    names.has_units = rod.length > 0.;
+    names.has_units = rod.is_given();
     return names;
   }
 

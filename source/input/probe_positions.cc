@@ -36,7 +36,7 @@ namespace ThermoContact
         return parameters.text_of_coordinate(x);
       };
       std::string shown = position;
-      if (parameters.rod.length > 0.)
+      if (parameters.rod.is_given())
         {
           shown.clear();
           for (const std::string &part : split(position, ','))
@@ -63,7 +63,7 @@ namespace ThermoContact
   Parameters::text_of_coordinate(const double x) const
   {
     const std::string &unit = output.unit_of_probes;
-    if (!(rod.length > 0.))
+    if (!rod.is_given())
       return text(x);
     return text(convert_unit(x * rod.length, "m", unit).value(), ' ', unit);
   }

@@ -78,7 +78,7 @@ namespace ThermoContact
   {
     if (parameters.scales.is_given() && parameters.output.is_si)
       conversions = conversions_by_kind(parameters.scales);
-    has_si_entries = parameters.rod.length > 0.;
+    has_si_entries = parameters.rod.is_given();
   }
 
 

@@ -4,6 +4,7 @@
 #include <thermocontact/base/shares.h>
 #include <thermocontact/base/text.h>
 #include <thermocontact/base/tolerances.h>
+#include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/scene/rod_profile.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -111,7 +112,7 @@ namespace ThermoContact
   {
     const LoadHistory along = history_along(TimeFunction(coefficient), length);
     if (takes_kinks)
-      note_narrowest(coefficient, along.stretches, body);
+      note_narrowest(coefficient, along, body);
     for (const LoadBreak &one : along.breaks)
       if (const double x = one.time;
           (one.is_jump || takes_kinks) &&
@@ -125,20 +126,17 @@ namespace ThermoContact
 
 
   void
-  RodProfile::note_narrowest(const Expression               &coefficient,
-                             const std::vector<LoadStretch> &stretches,
-                             const std::string              &body)
+  RodProfile::note_narrowest(const Expression  &coefficient,
+                             const LoadHistory &along,
+                             const std::string &body)
   {
-    constexpr double   part = 0.01; // of all changes: others do no harm
     const TimeFunction value(coefficient);
-    Interval           range(value.value(0.));
-    for (const LoadStretch &stretch : stretches)
-      range = hull(range, value.value(0.5 * (stretch.begin + stretch.end)));
+    const double       part =
+      Tolerances::harmless_change * range_of(value, along, length);
     const LoadStretch *shortest = nullptr;
-    for (const LoadStretch &stretch : stretches)
+    for (const LoadStretch &stretch : along.stretches)
       if (const double end = std::min(stretch.begin + stretch.width, length);
-          hull(value.value(stretch.begin), value.value(end)).width() >
-            part * range.width() &&
+          std::abs(value.value(end) - value.value(stretch.begin)) > part &&
           (shortest == nullptr || stretch.width < shortest->width))
         shortest = &stretch;
     if (shortest != nullptr)
@@ -354,27 +352,36 @@ namespace ThermoContact
 
 
   std::vector<std::string>
-  RodProfile::doubts(const unsigned int   n_cells,
-                     const unsigned int   degree,
-                     const QuantityUnits &units) const
+  RodProfile::doubts(const std::vector<double> &cells,
+                     const unsigned int         degree,
+                     const QuantityUnits       &units) const
   {
     std::vector<std::string> all_doubts;
     for (const Narrowest &one : narrowest)
-      if (const double cell =
-            0.5 * degree * one.stretch.width; // as a parabola is of two
-          cell * n_cells < length)
-        all_doubts.push_back(text(one.entry,
-                                  " varies within ",
-                                  units.text("length", one.stretch.width),
-                                  " at x = ",
-                                  units.text("length", one.stretch.begin),
-                                  ", which cells of ",
-                                  units.text("length", length / n_cells),
-                                  " do not resolve; remedy: ",
-                                  one.cells,
-                                  " = ",
-                                  std::ceil(length / cell),
-                                  " or more"));
+      {
+        double x = 0., there = length; // the cell there
+        for (unsigned int i = 0; i < cells.size() && x <= one.stretch.begin;
+             ++i)
+          {
+            there = cells[i];
+            x += there;
+          }
+        const double wanted =
+          0.5 * degree * one.stretch.width; // as a parabola is of two
+        if (wanted < there)
+          all_doubts.push_back(text(one.entry,
+                                    " varies within ",
+                                    units.text("length", one.stretch.width),
+                                    " at x = ",
+                                    units.text("length", one.stretch.begin),
+                                    ", which a cell of ",
+                                    units.text("length", there),
+                                    " does not resolve; remedy: ",
+                                    one.cells,
+                                    " = ",
+                                    std::ceil(cells.size() * there / wanted),
+                                    " or more"));
+      }
     for (const Expression *const one : all.expressions())
       {
         for (const std::string &doubt : one->doubts_of_tables())

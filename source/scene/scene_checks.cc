@@ -59,7 +59,7 @@ namespace ThermoContact
     left_out(const Scene &scene, const std::string &entry = "Model/Inertia = 0")
     {
       const RodParameters &rod = scene.parameters.rod;
-      return rod.length > 0. ?
+      return rod.is_given() ?
                "Rod/Small terms = " + rod.small_terms + " leaves out inertia" :
                entry;
     }
@@ -71,8 +71,7 @@ namespace ThermoContact
     take_in(const Scene       &scene,
             const std::string &entry = "Model/Inertia above 0")
     {
-      return scene.parameters.rod.length > 0. ? "Rod/Small terms = kept" :
-                                                entry;
+      return scene.parameters.rod.is_given() ? "Rod/Small terms = kept" : entry;
     }
 
 
@@ -117,7 +116,7 @@ namespace ThermoContact
                      "that scheme needs the gradient"));
       damped.since(scene.contact.has_massless_nodes &&
                      !scene.material.has_viscosity(),
-                   scene.parameters.rod.length > 0. ?
+                   scene.parameters.rod.is_given() ?
                      "Contact/Massless nodes = on and Rod/Viscosity = 0" :
                      "Contact/Massless nodes = on and Model/Viscosity = 0",
                    "Contact/Massless nodes = automatic: nodes without mass and "
@@ -725,7 +724,7 @@ namespace ThermoContact
       const bool        are_held = n_parts == 1 ?
                                      is_held_left || is_held_right :
                                      n_parts == 2 && is_held_left && is_held_right;
-      const bool        is_in_si = scene.parameters.rod.length > 0.;
+      const bool        is_in_si = scene.parameters.rod.is_given();
       std::string       remedy   = "Contacts/A B/Condition = bonded, or " +
                            take_in(scene) +
                            (is_in_si ? " in a run as short as waves" : "");
@@ -841,7 +840,7 @@ namespace ThermoContact
          "temperature",
          "temperature and displacement or displacement",
          "Model/Fields = displacement");
-      const bool is_in_si = parameters.rod.length > 0.;
+      const bool is_in_si = parameters.rod.is_given();
       no(!scene.material.has_inertia(),
          is_in_si ? "Rod/Small terms" : "Model/Inertia",
          is_in_si ? parameters.rod.small_terms : "0",

@@ -165,7 +165,7 @@ namespace ThermoContact
               {"Coupling", "Conductivity", "Heat capacity", "Temperature"},
               fields);
           // in SI the program leaves small terms out
-          const bool is_in_si = parameters.rod.length > 0.;
+          const bool is_in_si = parameters.rod.is_given();
           add(!material.has_viscosity() && !is_in_si,
               {"Viscosity"},
               "Model/Viscosity = 0");
@@ -254,9 +254,9 @@ namespace ThermoContact
     in_entries_of_file(const std::string &reason, const Scene &scene)
     {
       const RodParameters &rod = scene.parameters.rod;
-      if (rod.length > 0. && begins_with(reason, "Model/Inertia = 0"))
+      if (rod.is_given() && begins_with(reason, "Model/Inertia = 0"))
         return "Rod/Small terms = " + rod.small_terms;
-      if (rod.length > 0. && reason == "Model/Coupling = 0")
+      if (rod.is_given() && reason == "Model/Coupling = 0")
         return "Rod/Linear expansion = 0";
       return reason;
     }
@@ -443,7 +443,7 @@ namespace ThermoContact
     std::set<std::string>            told; // one reason is enough
     // section Rod sets entries that the file does not have
     const auto is_derived = [&](const std::string &path) {
-      return scene.parameters.rod.length > 0. &&
+      return scene.parameters.rod.is_given() &&
              last_assignment(assignments, path) == nullptr;
     };
     for (const UnusedEntry &unused : unused_entries(scene))

@@ -229,7 +229,8 @@ namespace ThermoContact
              units.text("temperature", mean),
              ", on the nodes of the mesh ",
              units.text("temperature", of_mesh),
-             ": it varies between them; remedy: more Mesh/Cells",
+             ": it varies between them; remedy: more ",
+             body.scene.row.is_given() ? "Cells of bodies" : "Mesh/Cells",
              dim == 1 ? ", or Mesh/Degree = 2 or more" : ""));
     }
 

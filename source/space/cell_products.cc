@@ -414,12 +414,10 @@ namespace ThermoContact
                                    const LevelVector<Number> &x) const
   {
     // the nodes of a mass are none of the grid
-    const bool replaces =
-      is_by_planes &&
-      on_grid->grid.n_nodes() * n_components<dim>(field) == y.size();
+    const bool replaces = is_by_planes && on_grid->covers(field, y.size());
     if (!replaces)
       y = Number();
-    add(field, mass, stiffness, y, x, replaces);
+    add_all(field, mass, stiffness, y, x, replaces);
   }
 
 
@@ -430,8 +428,21 @@ namespace ThermoContact
                                  const double               mass,
                                  const double               stiffness,
                                  LevelVector<Number>       &y,
-                                 const LevelVector<Number> &x,
-                                 const bool                 replaces) const
+                                 const LevelVector<Number> &x) const
+  {
+    add_all(field, mass, stiffness, y, x, false);
+  }
+
+
+
+  template <int dim, typename Number>
+  void
+  CellProducts<dim, Number>::add_all(const Field::Block         field,
+                                     const double               mass,
+                                     const double               stiffness,
+                                     LevelVector<Number>       &y,
+                                     const LevelVector<Number> &x,
+                                     const bool                 replaces) const
   {
     add_up(y, x, [&] {
       add_product(OnGrid::of(field), {mass, stiffness}, y, x, replaces);

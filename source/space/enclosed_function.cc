@@ -8,108 +8,141 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <queue>
 #include <vector>
 
 namespace ThermoContact
 {
   namespace
   {
-    /**
-     * More pieces of a cell are not worth their time: a jump across the axis
-     * takes 50, one along a curve is then followed to a hundredth of a cell.
-     */
+    /** More pieces of a cell are not worth their time; a jump takes 80. */
     constexpr std::size_t max_pieces = 256;
-
-
 
     /** Along an axis of a small piece, in which a load is nearly a parabola. */
     constexpr unsigned int fewest_points = 4;
 
-
-
     /**
-     * The axis along which a piece has to be halved, if there is one: of those
-     * along which it is not smooth the longest, in lengths of the cell.
+     * How far a component may be from a parabola in a piece, in parts of its
+     * largest value in the cell: Gauss's rule sees the rest.
      */
+    constexpr double nearly_parabolic = 0.1;
+
+    /** A part of a load, the least that doubles tell from its largest value. */
+    constexpr double least = 1e-12;
+
+
+
+    /** A piece of a box. */
     template <int dim>
-    std::optional<unsigned int>
-    rough_direction(const EnclosedFunction<dim> &function,
-                    const unsigned int           component,
-                    const BoundingBox<dim>      &piece,
-                    const BoundingBox<dim>      &cell,
-                    const double                 negligible)
+    struct Piece
     {
-      double part = 1.; // of the cell
-      for (unsigned int d = 0; d < dim; ++d)
-        if (cell.side_length(d) > 0.)
-          part *= piece.side_length(d) / cell.side_length(d);
-      std::optional<unsigned int> rough;
-      double                      longest = 0.;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          const double h = piece.side_length(d);
-          if (!(h > 0.) || !function.varies_along(d, component))
-            continue;
-          const IntervalJet all = function.enclosure(piece, d, component);
-          if (all.value.width() * part <= negligible)
-            return {};
-          const double length = h / cell.side_length(d);
-          if (length > longest &&
-              !is_nearly_parabolic(
-                all,
-                function.derivatives(piece.center(), d, component),
-                h,
-                negligible))
-            {
-              rough   = d;
-              longest = length;
-            }
-        }
-      return rough;
-    }
+      BoundingBox<dim> box;
+
+      /** The axis along which it has to be halved, if there is one. */
+      std::optional<unsigned int> rough = {};
+
+      /** A bound of what a rule may miss in it, per volume of the whole box. */
+      double missed = 0.;
+
+      bool
+      operator<(const Piece &other) const
+      {
+        return missed < other.missed;
+      }
+    };
 
 
 
+    /** The pieces of a box, halved where it may be missed most. */
     template <int dim>
-    std::vector<BoundingBox<dim>>
-    smooth_pieces(const EnclosedFunction<dim> &function,
-                  const unsigned int           component,
-                  const BoundingBox<dim>      &cell,
-                  const double                 negligible)
+    class Pieces
     {
-      // level by level, so that what is left over in the end is small
-      std::vector<BoundingBox<dim>> pieces, level{cell}, halves;
-      while (!level.empty())
-        {
-          halves.clear();
-          for (std::size_t i = 0; i < level.size(); ++i)
-            {
-              const std::size_t n_pieces =
-                pieces.size() + halves.size() + level.size() - i;
-              const auto direction = n_pieces < max_pieces ?
-                                       rough_direction(function,
-                                                       component,
-                                                       level[i],
-                                                       cell,
-                                                       negligible) :
-                                       std::nullopt;
-              if (!direction)
-                {
-                  pieces.push_back(level[i]);
-                  continue;
-                }
-              const Point<dim> middle   = level[i].center();
-              auto [low, high]          = level[i].get_boundary_points();
-              low[*direction]           = middle[*direction];
-              auto before               = level[i].get_boundary_points();
-              before.second[*direction] = middle[*direction];
-              halves.emplace_back(before);
-              halves.emplace_back(std::pair(low, high));
-            }
-          level.swap(halves);
-        }
-      return pieces;
-    }
+    public:
+      Pieces(const EnclosedFunction<dim> &function,
+             const unsigned int           component,
+             const BoundingBox<dim>      &box,
+             const double                 bound)
+        : function(function)
+        , component(component)
+        , whole(box)
+        , bound(bound)
+      {}
+
+      /**
+       * Looks at a piece. Of the axes along which the component is not nearly
+       * a parabola it is to be halved along the longest, in lengths of the box.
+       */
+      Piece<dim>
+      look(const BoundingBox<dim> &box)
+      {
+        Piece<dim> piece{box};
+        double     part = 1., longest = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (whole.side_length(d) > 0.)
+            part *= box.side_length(d) / whole.side_length(d);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double h = box.side_length(d);
+            if (!(h > 0.) || !function.varies_along(d, component))
+              continue;
+            const IntervalJet all = function.enclosure(box, d, component);
+            if (part == 1. && all.value.is_finite())
+              of_whole = all.value.magnitude();
+            piece.missed = all.value.width() * part;
+            if (piece.missed <= least * bound)
+              return {box};
+            const double length = h / whole.side_length(d);
+            if (length > longest &&
+                !is_nearly_parabolic(
+                  all,
+                  function.derivatives(box.center(), d, component),
+                  h,
+                  std::max(Tolerances::negligible_load * bound,
+                           nearly_parabolic * of_whole)))
+              {
+                piece.rough = d;
+                longest     = length;
+              }
+          }
+        return piece;
+      }
+
+      std::vector<BoundingBox<dim>>
+      smooth()
+      {
+        std::vector<BoundingBox<dim>>   done;
+        std::priority_queue<Piece<dim>> open;
+        const auto                      add = [&](const Piece<dim> &piece) {
+          if (piece.rough)
+            open.push(piece);
+          else
+            done.push_back(piece.box);
+        };
+        add(look(whole));
+        while (!open.empty() && done.size() + open.size() < max_pieces)
+          {
+            const Piece<dim> piece = open.top();
+            open.pop();
+            const unsigned int d      = *piece.rough;
+            const double       middle = piece.box.center()[d];
+            auto low = piece.box.get_boundary_points(), high = low;
+            low.second[d] = middle;
+            high.first[d] = middle;
+            add(look({low}));
+            add(look({high}));
+          }
+        for (; !open.empty(); open.pop())
+          done.push_back(open.top().box);
+        return done;
+      }
+
+    private:
+      const EnclosedFunction<dim> &function;
+      const unsigned int           component;
+      const BoundingBox<dim>       whole;
+      const double                 bound;         ///< in the body
+      double                       of_whole = 0.; ///< likewise in the box
+    };
   } // namespace
 
 
@@ -134,8 +167,7 @@ namespace ThermoContact
     for (unsigned int n = n_points; n >= std::min(n_points, fewest_points); --n)
       rules.emplace_back(n);
     for (unsigned int c = 0; c < function.n_components; ++c)
-      negligible.push_back(Tolerances::negligible_load *
-                           function.bound(body, c));
+      bounds.push_back(function.bound(body, c));
   }
 
 
@@ -145,8 +177,9 @@ namespace ThermoContact
   PiecewiseRule<dim>::is_smooth(const BoundingBox<dim> &box,
                                 const unsigned int      component) const
   {
-    return !rough_direction(
-      function, component, box, box, negligible[component]);
+    return !Pieces<dim>(function, component, box, bounds[component])
+              .look(box)
+              .rough;
   }
 
 
@@ -157,7 +190,7 @@ namespace ThermoContact
                                  const unsigned int      component) const
   {
     const std::vector<BoundingBox<dim>> pieces =
-      smooth_pieces(function, component, box, negligible[component]);
+      Pieces<dim>(function, component, box, bounds[component]).smooth();
     std::vector<Point<dim>> points;
     std::vector<double>     weights;
     for (const BoundingBox<dim> &piece : pieces)

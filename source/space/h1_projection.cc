@@ -294,11 +294,13 @@ namespace ThermoContact
                                 fe.degree + 4);
     std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
     Vector rhs = discretization.make_vector(field);
-    if (!function.varies_along(0, component))
+    if (fe.degree == 1 || !function.varies_along(0, component))
       return rhs;
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       {
+        if (discretization.is_gap(cell))
+          continue;
         const CellShape<1>  shape(cell);
         const Quadrature<1> points = rule(shape.bounding_box(), component);
         std::vector<double> nodal;

@@ -196,30 +196,33 @@ namespace ThermoContact
 
 
     /**
-     * The time in which a wave passes a body whose inertia the program has left
-     * out by itself, in a file in SI units; else 0.
+     * The time in which a wave passes the bodies whose inertia the program has
+     * left out by itself, in a file in SI units; else 0.
      */
     double
     left_out_wave(const Scene &scene)
     {
       const RodParameters &rod = scene.parameters.rod;
-      if (!(rod.length > 0.) || rod.small_terms != "automatic" ||
+      if (!rod.is_given() || rod.small_terms != "automatic" ||
           !scene.fields.has_displacement || scene.material.has_inertia())
         return 0.;
-      return rod.length * std::sqrt(rod.density / rod.youngs_modulus) /
+      return rod.length * scene.row.length() *
+             std::sqrt(rod.density / rod.youngs_modulus) /
              *scene.parameters.scales.time;
     }
 
 
 
     /**
-     * Warns of a force that jumps, or changes so fast that inertia matters
-     * which the program has left out by itself.
+     * Warns of a force that changes so fast that inertia matters which the
+     * program has left out by itself: by more than a part of its range.
+     *
+     * @param load at one place
      */
     void
-    warn_of_left_out_inertia(const Load               &load,
+    warn_of_left_out_inertia(const TimeFunction       &load,
                              const Scene              &scene,
-                             const LoadHistory        &history,
+                             const EnclosedLoad       &enclosed,
                              std::vector<std::string> &warnings)
     {
       // A sine is nearly a parabola over 1.4 of its angle, and a held body
@@ -227,39 +230,52 @@ namespace ThermoContact
       // the time of a wave: 2 %
       constexpr double waves = 6.;
       const double     wave  = left_out_wave(scene);
-      if (wave == 0. || load.kind != force)
+      if (wave == 0. || enclosed.is_infinite)
         return;
+      const QuantityUnits units(scene.parameters);
+      const auto          warn = [&](const std::string &change) {
+        const std::string warning =
+          load.expression.path() + change +
+          ", and Rod/Small terms = automatic has left out inertia: the body "
+                   "would swing beyond its rest, after a jump by up to as much as it "
+                   "moves; remedy: Rod/Small terms = kept, in a run as short as the "
+                   "swing";
+        if (std::find(warnings.begin(), warnings.end(), warning) ==
+            warnings.end())
+          warnings.push_back(warning);
+      };
+      if (!enclosed.is_resolved)
+        return warn(" changes too fast to be followed");
+      const LoadHistory &history = enclosed.history;
+      const double       part =
+        Tolerances::harmless_change *
+        range_of(load, history, scene.parameters.time.end_time);
       double     shortest = waves * wave, begin = 0.;
       bool       is_fast = false;
-      const auto look    = [&](const double at, const double width) {
-        if (width >= shortest)
+      const auto look    = [&](const double from, const double to) {
+        if (to - from >= shortest ||
+            std::abs(load.value(to) - load.value(from)) <= part)
           return;
-        shortest = width;
-        begin    = at;
+        shortest = to - from;
+        begin    = from;
         is_fast  = true;
       };
       for (const LoadStretch &stretch : history.stretches)
-        look(stretch.begin, stretch.width);
+        look(stretch.begin, stretch.begin + stretch.width);
       const std::vector<LoadBreak> &breaks = history.breaks;
       for (std::size_t i = 0; i < breaks.size(); ++i)
-        if (breaks[i].is_jump)
-          look(breaks[i].time, 0.);
-        else if (i + 1 < breaks.size())
-          look(breaks[i].time, breaks[i + 1].time - breaks[i].time);
+        {
+          look(breaks[i].old_time, breaks[i].new_time);
+          if (i + 1 < breaks.size())
+            look(breaks[i].new_time, breaks[i + 1].old_time);
+        }
       if (!is_fast)
         return;
-      const QuantityUnits units(scene.parameters);
-      warnings.push_back(
-        text(load.expression().path(),
-             shortest > 0. ?
-               " changes within " + units.text_for_entry("time", shortest) :
-               std::string(" jumps"),
-             " at t = ",
-             units.text_for_entry("time", begin),
-             ", and Rod/Small terms = automatic has left out inertia: the body "
-             "would swing beyond its rest, after a jump by up to as much as it "
-             "moves; remedy: Rod/Small terms = kept, in a run as short as the "
-             "swing"));
+      const bool is_jump = shortest <= Tolerances::same_time * begin;
+      warn((is_jump ?
+              " jumps" :
+              " changes within " + units.text_for_entry("time", shortest)) +
+           " at t = " + units.text_for_entry("time", begin));
     }
 
 
@@ -280,7 +296,9 @@ namespace ThermoContact
       for (const TimeFunction &function : load.at_places)
         {
           EnclosedLoad enclosed = enclose_load(function, time.end_time);
-          const auto   jump =
+          if (load.kind == force)
+            warn_of_left_out_inertia(function, scene, enclosed, warnings);
+          const auto jump =
             std::find_if(enclosed.history.breaks.begin(),
                          enclosed.history.breaks.end(),
                          [](const LoadBreak &at) { return at.is_jump; });
@@ -307,7 +325,6 @@ namespace ThermoContact
             }
           together.add(enclosed.history);
         }
-      warn_of_left_out_inertia(load, scene, together, warnings);
       if (!time.has_error_control())
         {
           together.stretches.clear();
@@ -346,9 +363,12 @@ namespace ThermoContact
       };
       return std::any_of(load.at_places.begin(), load.at_places.end(), jumps);
     }
+  } // namespace
 
 
 
+  namespace
+  {
     /** How far its values are apart in a span of time. */
     double
     range_of(const Load &load, const double begin, const double end)
@@ -467,8 +487,11 @@ namespace ThermoContact
     for (const RowBody &body : scene.row.bodies)
       if (body.profile)
         {
+          std::vector<double> sizes;
+          for (unsigned int i = 0; i < body.n_cells; ++i)
+            sizes.push_back(scene.row.cells[body.first_cell + i].size);
           for (const std::string &doubt :
-               body.profile->doubts(body.n_cells,
+               body.profile->doubts(sizes,
                                     scene.parameters.mesh.degree,
                                     QuantityUnits(scene.parameters)))
             doubts.push_back(doubt);

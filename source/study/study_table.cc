@@ -113,7 +113,7 @@ namespace ThermoContact
     {
       Conversions conversions =
         OutputUnits(parameters).of_columns("study.csv", make_columns(plan));
-      if (!conversions.empty() && parameters.rod.length > 0.)
+      if (!conversions.empty() && parameters.rod.is_given())
         for (unsigned int i = 0; i < plan.varied.size(); ++i)
           conversions[i + 1].unit = unit_of_entry(plan.varied[i]);
       return conversions;

@@ -237,7 +237,7 @@ LOADS = [
       "row holds there"]),
     # a stiffness that varies within 1/100 or 1/3 of a rod, on eight cells of degree 4
     (PULSES + VARIED + ("Bodies/a/Stiffness=1-0.9*exp(-((x-0.37)/0.01)^2)",),
-     [r"Bodies/a/Stiffness varies within 0\.00\d+ at x = 0\.3\d+, which cells of 0\.125 do not "
+     [r"Bodies/a/Stiffness varies within 0\.00\d+ at x = 0\.3\d+, which a cell of 0\.1\d+ does not "
       r"resolve; remedy: Bodies/a/Cells = \d{3} or more"]),
     (PULSES + VARIED + ("Bodies/a/Stiffness=1-0.5*sin(2*pi*x)",), []),
     # fixed steps follow nothing
@@ -475,6 +475,10 @@ def check_nodes():
         found = warnings_of(STAMP + (f"Mesh/Cells across={across}",), Path(f"stamp-{across}"))
         if found != expected:
             yield f"{across} cells across a stamp: {found}"
+    # a blade: one node wide and five long
+    found = warnings_of(STAMP + ("Mesh/Cells across=4", "Dimension=3"), Path("blade"))
+    if found != [FEW_NODES.replace("1 node ", "5 nodes ")]:
+        yield f"a blade: {found}"
 
 
 def check_mesh():

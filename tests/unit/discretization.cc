@@ -6,9 +6,9 @@
 // matrix_free.cc.
 
 #include <thermocontact/space/discretization.h>
+#include <thermocontact/space/expression_function.h>
 #include <thermocontact/space/h1_projection.h>
 
-#include <deal.II/base/function_lib.h>
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
@@ -19,33 +19,6 @@ using namespace ThermoContact;
 
 namespace
 {
-  /** 1 + dim components, each a given function of the point. */
-  template <int dim>
-  class Fields : public Function<dim>
-  {
-  public:
-    using Component = std::function<double(const Point<dim> &)>;
-
-    Fields(const Component &temperature, const Component &axial_displacement)
-      : Function<dim>(1 + dim)
-      , temperature(temperature)
-      , axial_displacement(axial_displacement)
-    {}
-
-    double
-    value(const Point<dim> &point, const unsigned int c) const override
-    {
-      return c == 0 ? temperature(point) :
-                      (c == 1 ? axial_displacement(point) : 0.);
-    }
-
-  private:
-    const Component temperature;
-    const Component axial_displacement;
-  };
-
-
-
   void
   test_projection(const unsigned int degree, const double grading)
   {
@@ -62,8 +35,14 @@ namespace
     const auto polynomial = [degree](const Point<1> &x) {
       return x[0] * std::pow(1. - 2. * x[0], static_cast<double>(degree - 1));
     };
-    State state = space.make_state();
-    projection.project(Fields<1>(w, polynomial),
+    State                 state = space.make_state();
+    const ExpressionNames names{{"x", "y", "z", "t"}, {}};
+    projection.project(ExpressionFunction<1>(
+                         {Expression("w", "exp(x)*sin(3*x)", names),
+                          Expression("polynomial",
+                                     "x*(1 - 2*x)^" +
+                                       std::to_string(degree - 1),
+                                     names)}),
                        state.temperature,
                        state.displacement);
     auto system = space.make_system_vector();

@@ -212,7 +212,7 @@ namespace
     report_projection() const
     {
       const ProblemData<dim> data(scene);
-      const Function<dim>   &initial = *data.initial_fields;
+      const auto            &initial = *data.initial_fields;
       State                  state   = free_space.make_state();
       H1Projection<dim>(free_scene, free_space, free_equations.cell_products())
         .project(initial, state.temperature, state.displacement);

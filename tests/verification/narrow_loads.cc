@@ -5,17 +5,23 @@
 //
 // 1. Basis functions sum up to 1, and with the places of their nodes to x. So
 //    the entries of a load sum up to its integral, and times their places to
-//    its moment; both are known:
-//    jump: 2 on (0.299, 0.301): 0.004, and 0.3 times that; 1000 times narrower
-//    too step: 1 behind x = 1/3: 2/3, 4/9 moving: exp(-((x - t/10)/1e-4)^2), at
-//    t = 7: 1e-4 sqrt(pi), 0.7 times that force: the same for the momentum
-//    strip, 0.5 wide: a rectangle of 0.02 by 0.01 at (0.31, 0.12): 2e-4, to
-//    what 256 pieces of a cell allow; a Gaussian of width 1e-3: 1e-6 pi
-//    round rod, whose integrals have the weight r: 1 in r < 1/2 at 0.4 < x <
-//    0.401: 1e-3/8
-//    flux: 1 on a stripe of 1e-3 of the left end of the strip
-//    The momentum of a block under the force of a slice of 1e-3: 1e-3 of its
-//    area 1/4.
+//    its moment; both are known.
+//    A jump: 2 on (0.299, 0.301) has the integral 0.004 and its place at 0.3;
+//    jumps 1e3 and 1e5 times narrower have theirs.
+//
+//    A step: 1 behind x = 1/3 has 2/3, at 2/3.
+//
+//    A moving flash, and a moving force: exp(-((x - t/10)/1e-4)^2) has
+//    1e-4 sqrt(pi), at t = 7 at 0.7.
+//
+//    In a strip, 0.5 wide: a rectangle of 0.02 by 0.01 has 2e-4; two Gaussians,
+//    of width 1e-3, and of 1e-4 in a block: 1e-6 pi and 1e-12 pi^(3/2).
+//
+//    In a round rod, whose integrals have the weight r: 1 in r < 1/2 at
+//    0.4 < x < 0.401 has 1e-3/8.
+//
+//    A flux of 1 on a stripe of 1e-3 of the left end of the strip has 1e-3; a
+//    force of 1 on a slice of 1e-3 of a block 1e-3 of its area 1/4.
 // 2. A rod that is held at 0 and else insulated, under the heat 2 on
 //    (0.299, 0.301), gets 0.004 * 0.3 warm behind it, up to exp(-pi^2 t/4).
 // 3. The projection has the mean of the initial temperature in each cell, so
@@ -100,6 +106,8 @@ main_narrow_loads()
     "jump", heat + "if(abs(x - 0.3) < 1e-3, 2, 0)", {}, 0.004, 0.3, 1e-6);
   check_load<1>(
     "narrow jump", heat + "if(abs(x - 0.3) < 1e-6, 2, 0)", {}, 4e-6, 0.3, 1e-3);
+  check_load<1>(
+    "peak", heat + "if(abs(x - 0.3) < 1e-8, 2, 0)", {}, 4e-8, 0.3, 1e-3);
   check_load<1>("step", heat + "x > 1/3", {}, 2. / 3., 2. / 3., 1e-7);
   check_load<1>("moving", heat + flash, {}, 1e-4 * std::sqrt(pi), 0.7, 1e-4);
   check_load<1>("force",
@@ -120,6 +128,13 @@ main_narrow_loads()
                 heat + "exp(-((x - 0.31)^2 + (y - 0.12)^2)/1e-6)",
                 strip,
                 1e-6 * pi,
+                0.31,
+                1e-3);
+  check_load<3>("small Gaussian",
+                heat +
+                  "exp(-((x - 0.31)^2 + (y - 0.18)^2 + (z - 0.13)^2)/1e-8)",
+                strip,
+                1e-12 * std::pow(pi, 1.5),
                 0.31,
                 1e-3);
   check_load<2>("round rod",

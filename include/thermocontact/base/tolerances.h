@@ -234,6 +234,10 @@ namespace ThermoContact
 
     // ---- doubts
 
+    /** Changes of a load or a coefficient, in parts of all of them, that are
+     * not warned of however fast they are. */
+    inline constexpr double harmless_change = 0.01;
+
     /** Pressure over modulus at which most metals yield. */
     inline constexpr double yield_strain = 1e-3;
   } // namespace Tolerances

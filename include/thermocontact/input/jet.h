@@ -315,9 +315,10 @@ namespace ThermoContact
 
 
   /**
-   * A value with its first and second derivative in time, of numbers or of
-   * intervals. One of intervals over a span of time contains those of the
-   * function at all times in it. Where the function may jump in it both
+   * A value with its first and second derivative in one variable, the time or a
+   * coordinate, of numbers or of intervals. One of intervals over a span of the
+   * variable, and of others, contains those of the function everywhere in it.
+   * Where the function may jump in it both
    * derivatives are everything, where its slope may, the second is.
    */
   template <typename Number>

@@ -39,6 +39,15 @@ namespace ThermoContact
 
 
 
+  /** How far its values in $[0,T]$ are apart, by 65 of them and those of its
+   * history. */
+  double
+  range_of(const TimeFunction &load,
+           const LoadHistory  &history,
+           const double        end_time);
+
+
+
   /**
    * True if a function is nearly a parabola in a span of a variable: if it is
    * off by a quarter of its change there, or by a part that is negligible.

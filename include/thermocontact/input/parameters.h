@@ -488,6 +488,13 @@ namespace ThermoContact
     double      youngs_modulus = 0.; ///< Pa
     std::string small_terms = "automatic", lateral_sides = "free";
 
+    /** True if the file is in SI units. */
+    bool
+    is_given() const
+    {
+      return length > 0.;
+    }
+
     void
     add_parameters(ParameterHandler &prm);
   };

@@ -69,12 +69,12 @@ namespace ThermoContact
      * Doubts about tables, and about coefficients that vary within a cell, for
      * the user to look at.
      *
-     * @param n_cells of the rod, of degree @p degree
+     * @param cells sizes of the cells of the rod, of degree @p degree
      */
     std::vector<std::string>
-    doubts(const unsigned int   n_cells,
-           const unsigned int   degree,
-           const QuantityUnits &units) const;
+    doubts(const std::vector<double> &cells,
+           const unsigned int         degree,
+           const QuantityUnits       &units) const;
 
     /**
      * The constants of a linear cell, (M10.7): means, of stiffness and
@@ -152,9 +152,9 @@ namespace ThermoContact
 
     /** Keeps where a coefficient changes over the shortest length. */
     void
-    note_narrowest(const Expression               &coefficient,
-                   const std::vector<LoadStretch> &stretches,
-                   const std::string              &body);
+    note_narrowest(const Expression  &coefficient,
+                   const LoadHistory &along,
+                   const std::string &body);
   };
 } // namespace ThermoContact
 

@@ -9,6 +9,7 @@
 #include <thermocontact/simulation/measurements.h>
 #include <thermocontact/space/discretization.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,8 @@ namespace ThermoContact
    * Estimates whether the mesh of a rod resolves what moves through it, by a
    * few products with short vectors in each of the first 64 steps and in one of
    * eight from then on, each for the time since the last. Of bodies in two and
-   * three dimensions it knows at how many nodes a part of the end touches.
+   * three dimensions it knows at how many nodes across a part of the end
+   * touches.
    *
    * The mean over the run counts. At single instants, after a start or
    * an impact, layers are thinner than any cell, and do no harm.
@@ -92,8 +94,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &heat &strain &n_steps &duration &time_skipped &max_thermal
-        &max_mechanical &has_warned &largest_force &touching_nodes;
+      archive &heat &strain &n_steps &duration &time_skipped &max_thermal &
+        max_mechanical &has_warned &largest_force &touching_nodes &nodes_across;
     }
 
   private:
@@ -123,7 +125,12 @@ namespace ThermoContact
     double       max_mechanical = 0.;
     bool         has_warned     = false;
     double       largest_force  = 0.; ///< of a body
-    unsigned int touching_nodes = 0;  ///< then, if others did not; else 0
+    unsigned int touching_nodes = 0;  ///< then; 0 if all did
+    unsigned int nodes_across   = 0;  ///< of them, where they are fewest
+
+    /** Of the contact nodes of a body. */
+    std::vector<std::array<double, 2>> places_across;
+    bool                               has_half; ///< the axis is a side
 
     void
     note_contact(const State &state, const double force);

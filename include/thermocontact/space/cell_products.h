@@ -46,14 +46,13 @@ namespace ThermoContact
           LevelVector<Number>       &y,
           const LevelVector<Number> &x) const override;
 
-    /** @p y += the same; or = where it @p replaces, in planes alone. */
+    /** @p y += the same. */
     void
     add(const Field::Block         field,
         const double               mass,
         const double               stiffness,
         LevelVector<Number>       &y,
-        const LevelVector<Number> &x,
-        const bool                 replaces = false) const;
+        const LevelVector<Number> &x) const;
 
     /** The Laplacian of the mesh, of each component of a field. */
     void
@@ -257,6 +256,15 @@ namespace ThermoContact
     add_up(LevelVector<Number>       &y,
            const LevelVector<Number> &x,
            const Add                 &add) const;
+
+    /** add(), or what @p replaces all of @p y, in planes that cover it. */
+    void
+    add_all(const Field::Block         field,
+            const double               mass,
+            const double               stiffness,
+            LevelVector<Number>       &y,
+            const LevelVector<Number> &x,
+            const bool                 replaces) const;
 
     /** Adds a product without faces. */
     void

@@ -25,13 +25,13 @@ namespace ThermoContact
   public:
     using Function<dim>::Function;
 
-    /** Whether a component may be another one at another place along an axis.
-     */
+    /** True if a component may vary along an axis. */
     virtual bool
     varies_along(const unsigned int direction,
                  const unsigned int component) const = 0;
 
-    /** Value of a component with its derivatives along an axis. */
+    /** Value of a component with its derivatives along an axis, which may not
+     * be finite. */
     virtual NumberJet
     derivatives(const Point<dim>  &place,
                 const unsigned int direction,
@@ -52,10 +52,12 @@ namespace ThermoContact
 
   /**
    * Rules by which a function is integrated over boxes: Gauss's in pieces. A
-   * box is halved until a component is nearly a parabola along each axis of a
-   * piece, or negligible there. Since the values in a piece are enclosed, a
-   * load is not overlooked, however narrow. Sides of length 0 count for
-   * nothing: a face is a box as well.
+   * box is halved, first where most may be missed, until a component is nearly
+   * a parabola along each axis of a piece, or 256 pieces are there. Since the
+   * values in a piece are enclosed, a load is not overlooked: along one axis
+   * down to a width of 1e-12 of the box, in more dimensions as far as its shape
+   * is followed by so many boxes. Sides of length 0 count for nothing: a face
+   * is a box as well.
    */
   template <int dim>
   class PiecewiseRule
@@ -80,8 +82,8 @@ namespace ThermoContact
 
   private:
     const EnclosedFunction<dim>   &function;
-    std::vector<dealii::QGauss<1>> rules; ///< along boxes, halves, quarters
-    std::vector<double>            negligible; ///< of each component
+    std::vector<dealii::QGauss<1>> rules;  ///< along boxes, halves, quarters
+    std::vector<double>            bounds; ///< of each component
   };
 } // namespace ThermoContact
 

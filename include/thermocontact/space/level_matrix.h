@@ -96,6 +96,13 @@ namespace ThermoContact
         const Number  *x,
         const bool     replaces = false) const;
 
+    /** True if the entries of the nodes are all of a vector of a field. */
+    bool
+    covers(const Field::Block field, const std::size_t n_entries) const
+    {
+      return grid.n_nodes() * n_components<dim>(field) == n_entries;
+    }
+
     /** On the diagonal of a component. */
     double
     diagonal_entry(const Operator                        op,
