@@ -22,6 +22,8 @@
 //
 //    A flux of 1 on a stripe of 1e-3 of the left end of the strip has 1e-3; a
 //    force of 1 on a slice of 1e-3 of a block 1e-3 of its area 1/4.
+//    Loads without t are kept once they are known: 1 + 2x has 2 at all times
+//    and the rate 0; times t^2 it has 8 at t = 2 and the rate 4 at t = 1.
 // 2. A rod that is held at 0 and else insulated, under the heat 2 on
 //    (0.299, 0.301), gets 0.004 * 0.3 warm behind it, up to exp(-pi^2 t/4).
 // 3. The projection has the mean of the initial temperature in each cell, so
@@ -82,6 +84,30 @@ namespace
     deallog << name << ": integral "
             << within(std::abs(sum / integral - 1.), bound) << ", place "
             << within(std::abs(moment / sum - place), bound) << std::endl;
+  }
+
+
+
+  /** Sums of the momentum load of a body force at two times, and of its rate.
+   */
+  void
+  check_rates(const std::string &force, const double at_2, const double rate)
+  {
+    const Scene           scene(read_parameters("",
+                                      {"Model/Fields=displacement",
+                                                 "Initial values/Displacement=0",
+                                                 "Sources/Body force=" + force}));
+    Body<1>               body(scene, MPI_COMM_SELF);
+    ThermoContact::Vector heat(body.loads.outer_heat());
+    ThermoContact::Vector load =
+      body.discretization.make_vector(Field::displacement);
+    const auto sum = [&]() { return load.mean_value() * load.size(); };
+    body.loads.assemble(0., heat, load);
+    body.loads.assemble_momentum_rate(1., load);
+    const double found = sum();
+    body.loads.assemble(2., heat, load);
+    deallog << force << ": at 2 " << within(std::abs(sum() - at_2), 1e-12)
+            << ", rate " << within(std::abs(found - rate), 1e-12) << std::endl;
   }
 
 
@@ -156,6 +182,9 @@ main_narrow_loads()
                 0.3,
                 1e-6,
                 Field::displacement);
+
+  check_rates("1+2*x", 2., 0.);
+  check_rates("(1+2*x)*t^2", 8., 4.);
 
   const double end = run<1>("",
                             {heat + "if(abs(x - 0.3) < 1e-3, 2, 0)",
