@@ -7,9 +7,11 @@
 #include <thermocontact/input/load_enclosure.h>
 #include <thermocontact/input/parameter_text.h>
 #include <thermocontact/input/quantity_units.h>
+#include <thermocontact/space/enclosed_function.h>
 #include <thermocontact/space/load_scan.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,7 +22,8 @@ namespace ThermoContact
 {
   namespace
   {
-    /** Places at which a load that varies in space is looked at. */
+    /** Places at which a load that varies in space is looked at, and one more.
+     */
     constexpr unsigned int n_places = 61;
 
 
@@ -47,10 +50,86 @@ namespace ThermoContact
 
 
 
+    /** The largest absolute value that a load has at any time of a run. */
+    class LargestValue : public EnclosedFunction<3>
+    {
+    public:
+      LargestValue(const Expression &load, const double end_time)
+        : load(load)
+        , times(0., end_time)
+      {}
+
+      double
+      value(const Point<3> &place, const unsigned int) const override
+      {
+        const IntervalJet at = enclosure({{place, place}}, 0, 0);
+        return at.value.is_finite() ? at.value.magnitude() : 0.;
+      }
+
+      bool
+      varies_along(const unsigned int direction,
+                   const unsigned int) const override
+      {
+        return load.depends_on({"xyz"[direction]});
+      }
+
+      NumberJet
+      derivatives(const Point<3> &place,
+                  const unsigned int,
+                  const unsigned int) const override
+      {
+        return NumberJet(value(place, 0)); // which spans do not tell
+      }
+
+      IntervalJet
+      enclosure(const BoundingBox<3> &box,
+                const unsigned int    direction,
+                const unsigned int) const override
+      {
+        std::array<IntervalJet, 4> variables;
+        for (unsigned int d = 0; d < 3; ++d)
+          variables[d] =
+            IntervalJet(Interval(box.lower_bound(d), box.upper_bound(d)),
+                        d == direction ? 1. : 0.,
+                        0.);
+        variables.back() = IntervalJet(times, 0., 0.);
+        return load.evaluate(variables.data());
+      }
+
+    private:
+      const Expression &load;
+      const Interval    times;
+    };
+
+
+
+    /** The place in the body where a load has its largest value: it may be
+     * nowhere else. */
+    Point<3>
+    place_of_largest(const Expression &load, const Scene &scene)
+    {
+      Point<3> corner(scene.row.length(), 0., 0.);
+      for (unsigned int d = 1; d < scene.parameters.dimension; ++d)
+        corner[d] = scene.parameters.mesh.width;
+      const BoundingBox<3>        body({Point<3>(), corner});
+      constexpr unsigned int      n_points = 4;
+      const LargestValue          largest(load, scene.parameters.time.end_time);
+      const std::vector<Point<3>> places =
+        PiecewiseRule<3>(largest, body, n_points)(body, 0).get_points();
+      return *std::max_element(places.begin(),
+                               places.end(),
+                               [&](const Point<3> &a, const Point<3> &b) {
+                                 return largest.value(a, 0) <
+                                        largest.value(b, 0);
+                               });
+    }
+
+
+
     /**
      * The load at places in the body, or on its @p end at this x, that are
-     * spread evenly and lie nowhere special; at one if it is the same
-     * everywhere.
+     * spread evenly and lie nowhere special, in the body also where it is
+     * largest; at one if it is the same everywhere.
      */
     std::vector<TimeFunction>
     at_places(const Expression           &load,
@@ -73,6 +152,8 @@ namespace ThermoContact
                        std::fmod(0.5 + i * std::pow(root, -1. - d), 1.);
           functions.emplace_back(load, place);
         }
+      if (varies && !is_on_end)
+        functions.emplace_back(load, place_of_largest(load, scene));
       return functions;
     }
 

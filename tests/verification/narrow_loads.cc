@@ -26,6 +26,8 @@
 //    and the rate 0; times t^2 it has 8 at t = 2 and the rate 4 at t = 1.
 // 2. A rod that is held at 0 and else insulated, under the heat 2 on
 //    (0.299, 0.301), gets 0.004 * 0.3 warm behind it, up to exp(-pi^2 t/4).
+//    A flash of 1e-3 on a spot of 2e-4 with the heat 1e4 makes an insulated rod
+//    2e-3 warmer.
 // 3. The projection has the mean of the initial temperature in each cell, so
 //    that the rod has the mean of it: 3 on (0.37, 0.373): 0.009. Two bonded
 //    rods of 1/4 at 4 and 3/4 at 0: 1. The momentum of 2 on (0.37, 0.373) by
@@ -199,6 +201,22 @@ main_narrow_loads()
                        .rows.back()
                        .temperature_end;
   deallog << "warm end: " << within(std::abs(end / (0.004 * 0.3) - 1.), 1e-5)
+          << std::endl;
+
+  const double flashed = run<1>("",
+                                {heat + "if(t > 0.3 && t < 0.301 && "
+                                        "abs(x - 0.3) < 1e-4, 1e4, 0)",
+                                 "Model/Coupling=0",
+                                 "Model/Inertia=0",
+                                 "Contact/Condition=none",
+                                 "Boundary/left/Temperature=none",
+                                 "Boundary/right/Heat exchange=0",
+                                 "Initial values/Temperature=0",
+                                 "Initial values/Displacement=0",
+                                 "Time/End time=1"})
+                           .rows.back()
+                           .temperature_mean;
+  deallog << "flash on a spot: " << within(std::abs(flashed / 2e-3 - 1.), 1e-6)
           << std::endl;
 
   const std::string spot = "if(abs(x - 0.3715) < 1.5e-3, 3, 0)";

@@ -14,7 +14,8 @@ namespace ThermoContact
   /**
    * The history of the loads of a scene that steps follow: the break points
    * that are listed and, for error-controlled steps, the expressions in t up to
-   * the end time: where they depend on the place, at 61 places. Costs nothing
+   * the end time: where they depend on the place, at 61 places and in the body
+   * where they are largest. Costs nothing
    * where nothing depends on t. The same on all ranks.
    *
    * @param warnings out: loads that could not be resolved are appended
