@@ -93,9 +93,10 @@ namespace ThermoContact
     , has_half(discretization.geometry().has_axis_at_side() ||
                scene.has_symmetry)
   {
-    for (const ContactNode<dim> &node : discretization.contact_end().nodes())
-      places_across.push_back({{dim > 1 ? node.position[dim > 1] : 0.,
-                                dim > 2 ? node.position[dim - 1] : 0.}});
+    if (dim > 1)
+      for (const ContactNode<dim> &node : discretization.contact_end().nodes())
+        places_across.push_back({{dim > 1 ? node.position[dim > 1] : 0.,
+                                  dim > 2 ? node.position[dim - 1] : 0.}});
     // the steps of the midpoint rule on such a mesh have no error inside cells,
     // and the cells of a row are not all of one body
     if (dim > 1 || scene.has_midpoint_mass || scene.row.is_given())
@@ -163,24 +164,14 @@ namespace ThermoContact
   {
     if (!(force > largest_force))
       return;
-    const std::vector<double>      &p = state.contact.pressure;
-    std::array<std::set<double>, 2> touching; // y and z
-    largest_force  = force;
-    touching_nodes = 0;
+    const std::vector<double> &p = state.contact.pressure;
+    largest_force                = force;
+    touching.clear();
     for (unsigned int i = 0; i < p.size(); ++i)
       if (p[i] != 0.)
-        {
-          ++touching_nodes;
-          for (unsigned int d = 0; d < touching.size(); ++d)
-            touching[d].insert(places_across[i][d]);
-        }
-    if (touching_nodes == p.size())
-      touching_nodes = 0;
-    nodes_across = touching[0].size();
-    if (scene.parameters.dimension == 3)
-      nodes_across = std::min<unsigned int>(nodes_across, touching[1].size());
-    if (has_half)
-      nodes_across = 2 * nodes_across - 1;
+        touching.push_back(i);
+    if (touching.size() == p.size())
+      touching.clear();
   }
 
 
@@ -188,15 +179,26 @@ namespace ThermoContact
   std::string
   SpatialErrorMonitor::doubt_of_contact() const
   {
-    const MeshParameters &mesh = scene.parameters.mesh;
-    if (touching_nodes == 0 || nodes_across >= fewest_nodes)
+    if (touching.empty())
+      return "";
+    std::array<std::set<double>, 2> places; // y and z
+    for (const unsigned int node : touching)
+      for (unsigned int d = 0; d < places.size(); ++d)
+        places[d].insert(places_across[node][d]);
+    double across = places[0].size();
+    if (scene.parameters.dimension == 3)
+      across = std::min<double>(across, places[1].size());
+    if (has_half)
+      across = 2. * across - 1.;
+    if (across >= fewest_nodes)
       return "";
     return text("where its force is largest the contact is at ",
-                touching_nodes,
-                touching_nodes == 1 ? " node" : " nodes",
+                touching.size(),
+                touching.size() == 1 ? " node" : " nodes",
                 " alone: force, area and pressures are those of the mesh; "
                 "remedy: Mesh/Cells across = ",
-                std::ceil(mesh.n_cells_across() * fewest_nodes / nodes_across),
+                std::ceil(scene.parameters.mesh.n_cells_across() *
+                          fewest_nodes / across),
                 " or more");
   }
 

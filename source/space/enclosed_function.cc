@@ -27,9 +27,6 @@ namespace ThermoContact
      */
     constexpr double nearly_parabolic = 0.1;
 
-    /** A part of a load, the least that doubles tell from its largest value. */
-    constexpr double least = 1e-12;
-
 
 
     /** A piece of a box. */
@@ -89,7 +86,7 @@ namespace ThermoContact
             if (part == 1. && all.value.is_finite())
               of_whole = all.value.magnitude();
             piece.missed = all.value.width() * part;
-            if (piece.missed <= least * bound)
+            if (piece.missed <= Tolerances::least_load * bound)
               return {box};
             const double length = h / whole.side_length(d);
             if (length > longest &&
@@ -163,9 +160,25 @@ namespace ThermoContact
                                     const BoundingBox<dim>      &body,
                                     const unsigned int           n_points)
     : function(function)
+    , body(body)
   {
     for (unsigned int n = n_points; n >= std::min(n_points, fewest_points); --n)
       rules.emplace_back(n);
+    for (unsigned int c = 0; c < function.n_components; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        varies = varies || function.varies_along(d, c);
+    update();
+  }
+
+
+
+  template <int dim>
+  void
+  PiecewiseRule<dim>::update()
+  {
+    bounds.clear();
+    if (!varies)
+      return;
     for (unsigned int c = 0; c < function.n_components; ++c)
       bounds.push_back(function.bound(body, c));
   }
@@ -177,9 +190,9 @@ namespace ThermoContact
   PiecewiseRule<dim>::is_smooth(const BoundingBox<dim> &box,
                                 const unsigned int      component) const
   {
-    return !Pieces<dim>(function, component, box, bounds[component])
-              .look(box)
-              .rough;
+    return !varies || !Pieces<dim>(function, component, box, bounds[component])
+                         .look(box)
+                         .rough;
   }
 
 
@@ -190,7 +203,8 @@ namespace ThermoContact
                                  const unsigned int      component) const
   {
     const std::vector<BoundingBox<dim>> pieces =
-      Pieces<dim>(function, component, box, bounds[component]).smooth();
+      Pieces<dim>(function, component, box, varies ? bounds[component] : 0.)
+        .smooth();
     std::vector<Point<dim>> points;
     std::vector<double>     weights;
     for (const BoundingBox<dim> &piece : pieces)

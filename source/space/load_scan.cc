@@ -352,7 +352,8 @@ namespace ThermoContact
         }
       if (!is_fast)
         return;
-      const bool is_jump = shortest <= Tolerances::same_time * begin;
+      const bool is_jump =
+        shortest <= Tolerances::same_time * scene.parameters.time.end_time;
       warn((is_jump ?
               " jumps" :
               " changes within " + units.text_for_entry("time", shortest)) +

@@ -275,13 +275,13 @@ namespace ThermoContact
   template <int dim>
   template <typename Factor>
   void
-  Loads<dim>::add(const FEValuesBase<dim>                 &values,
-                  const CellShape<dim>                    &cell,
-                  const BoundingBox<dim>                  &box,
-                  const Function<dim>                     &function,
-                  const std::optional<PiecewiseRule<dim>> &rule,
-                  const Field::Block                       field,
-                  const Factor                            &factor)
+  Loads<dim>::add(const FEValuesBase<dim>        &values,
+                  const CellShape<dim>           &cell,
+                  const BoundingBox<dim>         &box,
+                  const Function<dim>            &function,
+                  const PiecewiseRule<dim> *const rule,
+                  const Field::Block              field,
+                  const Factor                   &factor)
   {
     const unsigned int first = discretization.first_component(field);
     for (unsigned int c = 0; c < function.n_components; ++c)
@@ -290,7 +290,7 @@ namespace ThermoContact
                                   const double      weight) {
           return factor(place) * function.value(place, c) * weight;
         };
-        if (rule && !rule->is_smooth(box, c))
+        if (rule != nullptr && !rule->is_smooth(box, c))
           {
             const Quadrature<dim> pieces = (*rule)(box, c);
             for (unsigned int q = 0; q < pieces.size(); ++q)
@@ -348,15 +348,20 @@ namespace ThermoContact
 
 
   template <int dim>
-  std::optional<PiecewiseRule<dim>>
-  Loads<dim>::rule(const EnclosedFunction<dim> *const source) const
+  const PiecewiseRule<dim> *
+  Loads<dim>::rule(const EnclosedFunction<dim> *const source)
   {
     if (source == nullptr)
-      return {};
-    return PiecewiseRule<dim>(*source,
-                              {{Point<dim>(),
-                                discretization.geometry().corner()}},
-                              n_points(discretization));
+      return nullptr;
+    const auto [known, is_new] =
+      rules.try_emplace(source,
+                        *source,
+                        BoundingBox<dim>(
+                          {Point<dim>(), discretization.geometry().corner()}),
+                        n_points(discretization));
+    if (!is_new)
+      known->second.update();
+    return &known->second;
   }
 
 
@@ -372,7 +377,7 @@ namespace ThermoContact
     const Function<dim>                   *function = &one;
     if (load != nullptr)
       function = load;
-    const std::optional<PiecewiseRule<dim>> in_pieces = rule(load);
+    const PiecewiseRule<dim> *const in_pieces = rule(load);
     for_each_face<dim>(part,
                        discretization.dof_handler(),
                        [&](const auto &cell, const unsigned int f) {
@@ -397,8 +402,8 @@ namespace ThermoContact
   void
   Loads<dim>::integrate_volume()
   {
-    const auto heat_rule  = rule(data.heat_source.get()),
-               force_rule = rule(data.body_force.get());
+    const auto *const        heat_rule  = rule(data.heat_source.get()),
+                      *const force_rule = rule(data.body_force.get());
     for (const auto &cell :
          discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -415,7 +420,7 @@ namespace ThermoContact
             {
               const CellShape<dim> shape(cell);
               fe_values.reinit(cell);
-              if (heat_rule)
+              if (heat_rule != nullptr)
                 add(fe_values,
                     shape,
                     shape.bounding_box(),
@@ -423,7 +428,7 @@ namespace ThermoContact
                     heat_rule,
                     Field::temperature,
                     factor(&EquationFactors::section));
-              if (force_rule)
+              if (force_rule != nullptr)
                 add(fe_values,
                     shape,
                     shape.bounding_box(),

@@ -175,6 +175,10 @@ namespace ThermoContact
      */
     inline constexpr double lost_heat = 1e-2;
 
+    /** A part of a load that is integrated over a cell, of its largest value
+     * times the cell: what doubles tell from it with some digits. */
+    inline constexpr double least_load = 1e-12;
+
     /**
      * Parts of the variation of a load that do not matter: its slopes are known
      * to the root of u, times ten.

@@ -318,8 +318,8 @@ namespace ThermoContact
    * A value with its first and second derivative in one variable, the time or a
    * coordinate, of numbers or of intervals. One of intervals over a span of the
    * variable, and of others, contains those of the function everywhere in it.
-   * Where the function may jump in it both
-   * derivatives are everything, where its slope may, the second is.
+   * Where the function may jump in it both derivatives are everything, where
+   * its slope may, the second is.
    */
   template <typename Number>
   struct Jet

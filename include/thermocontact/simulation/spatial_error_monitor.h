@@ -94,8 +94,8 @@ namespace ThermoContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &heat &strain &n_steps &duration &time_skipped &max_thermal &
-        max_mechanical &has_warned &largest_force &touching_nodes &nodes_across;
+      archive &heat &strain &n_steps &duration &time_skipped &max_thermal
+        &max_mechanical &has_warned &largest_force &touching;
     }
 
   private:
@@ -125,10 +125,11 @@ namespace ThermoContact
     double       max_mechanical = 0.;
     bool         has_warned     = false;
     double       largest_force  = 0.; ///< of a body
-    unsigned int touching_nodes = 0;  ///< then; 0 if all did
-    unsigned int nodes_across   = 0;  ///< of them, where they are fewest
 
-    /** Of the contact nodes of a body. */
+    /** Numbers of the nodes that touched then; none if all did. */
+    std::vector<unsigned int> touching;
+
+    /** y and z of the contact nodes of a body. */
     std::vector<std::array<double, 2>> places_across;
     bool                               has_half; ///< the axis is a side
 

@@ -64,13 +64,17 @@ namespace ThermoContact
   {
   public:
     /**
-     * @param function borrowed; its time is not to change meanwhile
+     * @param function borrowed
      * @param body a box in which it is needed
      * @param n_points along each axis of a box; one less in each half of it
      */
     PiecewiseRule(const EnclosedFunction<dim> &function,
                   const BoundingBox<dim>      &body,
                   const unsigned int           n_points);
+
+    /** To be called when the time of the function has changed. */
+    void
+    update();
 
     /** True if a box is one piece. */
     bool
@@ -82,6 +86,8 @@ namespace ThermoContact
 
   private:
     const EnclosedFunction<dim>   &function;
+    const BoundingBox<dim>         body;
+    bool                           varies = false; ///< else boxes are smooth
     std::vector<dealii::QGauss<1>> rules;  ///< along boxes, halves, quarters
     std::vector<double>            bounds; ///< of each component
   };

@@ -14,6 +14,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -111,13 +112,13 @@ namespace ThermoContact
      */
     template <typename Factor>
     void
-    add(const FEValuesBase<dim>                 &values,
-        const CellShape<dim>                    &cell,
-        const BoundingBox<dim>                  &box,
-        const Function<dim>                     &function,
-        const std::optional<PiecewiseRule<dim>> &rule,
-        const Field::Block                       field,
-        const Factor                            &factor);
+    add(const FEValuesBase<dim>        &values,
+        const CellShape<dim>           &cell,
+        const BoundingBox<dim>         &box,
+        const Function<dim>            &function,
+        const PiecewiseRule<dim> *const rule,
+        const Field::Block              field,
+        const Factor                   &factor);
 
     /** Adds a value times the basis functions of a component at a point of the
      * unit cell to the load of a cell. */
@@ -126,9 +127,11 @@ namespace ThermoContact
                  const unsigned int component,
                  const double       value);
 
-    /** The rule for a source at its time; none for none. */
-    std::optional<PiecewiseRule<dim>>
-    rule(const EnclosedFunction<dim> *const source) const;
+    /** The rule for a source at its time; null for none. */
+    const PiecewiseRule<dim> *
+    rule(const EnclosedFunction<dim> *const source);
+
+    std::map<const EnclosedFunction<dim> *, PiecewiseRule<dim>> rules;
 
     /**
      * Adds a load on a part of the boundary to the sources, times a factor:
