@@ -123,7 +123,11 @@ namespace
     if (rod.rows.size() != row.rows.size() ||
         rod.events.size() != row.events.size())
       return infinity;
-    const auto table = [](const RecordedRun &run) {
+    // where contact begins rounding decides whether it has begun
+    const auto is_pressed = [](const StepRecord &r) {
+      return std::max(r.penetration, std::abs(r.contact_force)) > 1e-12;
+    };
+    const auto table = [&is_pressed](const RecordedRun &run) {
       Columns columns;
       for (const StepRecord &r : run.rows)
         columns.push_back({r.time,
@@ -132,7 +136,7 @@ namespace
                            r.penetration,
                            r.contact_force,
                            r.contact_impulse,
-                           r.in_contact ? 1. : 0.,
+                           is_pressed(r) && r.in_contact ? 1. : 0.,
                            r.temperature_end,
                            r.heat_flux_end,
                            r.contact_dissipation,
