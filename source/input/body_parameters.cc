@@ -141,6 +141,18 @@ namespace ThermoContact
 
 
 
+  bool
+  RowParameters::has_rods() const
+  {
+    return std::any_of(bodies.begin(),
+                       bodies.end(),
+                       [](const BodyParameters &body) {
+                         return !body.is_mass();
+                       });
+  }
+
+
+
   const PairParameters *
   RowParameters::find_pair(const std::string &name) const
   {

@@ -294,7 +294,8 @@ namespace ThermoContact
                   errors.n_repeats,
                   " repeats: value, ",
                   are_joined ? "+- in time and space together" :
-                               "+- in time, +- in space"));
+                               "+- in time, +- in space",
+                  "; few errors are beyond 3 of these"));
     const KeyResults values = key_results(scene, history);
     for (const std::string &name : results_with_error_bars())
       if (const double value = values.at(name); !std::isnan(value))

@@ -208,12 +208,7 @@ namespace ThermoContact
     if (!coarser_in_time(parameters).empty() ||
         !coarser_in_space(parameters).empty())
       return "";
-    const auto &bodies = parameters.row.bodies;
-    return parameters.has_row() && std::all_of(bodies.begin(),
-                                               bodies.end(),
-                                               [](const BodyParameters &body) {
-                                                 return body.is_mass();
-                                               }) ?
+    return parameters.has_masses_alone() ?
              "all bodies are rigid masses, which have no cells" :
              "there are no fewer cells";
   }

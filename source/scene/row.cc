@@ -241,72 +241,117 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** Where two bodies of a row may meet, or the last one an obstacle. */
+    struct Meeting
+    {
+      std::string                       name;
+      const BodyParameters             &one;
+      const BodyParameters             *other; ///< null: an obstacle
+      std::unique_ptr<const ContactLaw> law;   ///< active
+    };
+
+
+
+    std::vector<Meeting>
+    meetings_of_row(const Parameters &parameters)
+    {
+      const ContactParameters &general = parameters.contact;
+      const ContactLawKind    &kind    = contact_law(general.condition);
+      std::vector<Meeting>     meetings;
+      if (!parameters.has_row() || parameters.model.fields == "temperature" ||
+          !kind.make(general.law)->is_active())
+        return meetings;
+      const std::vector<BodyParameters> &bodies = parameters.row.bodies;
+      for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
+        {
+          const BodyParameters       &left = bodies[i], &right = bodies[i + 1];
+          const std::string           name = left.name + ' ' + right.name;
+          const PairParameters *const pair = parameters.row.find_pair(name);
+          if (pair != nullptr && pair->is_bonded())
+            continue;
+          meetings.push_back({name,
+                              left,
+                              &right,
+                              pair != nullptr ?
+                                pair->law_kind(kind).make(
+                                  pair->own_law.instead_of(general.law)) :
+                                kind.make(general.law)});
+        }
+      if (!parameters.boundary.right.meets_obstacle())
+        return meetings;
+      const BodyParameters &last = bodies.back();
+      meetings.push_back(
+        {last.name + " obstacle", last, nullptr, kind.make(general.law)});
+      if (general.has_own_rear_law())
+        meetings.push_back(
+          {last.name + " rear obstacle",
+           last,
+           nullptr,
+           kind.make(general.own_rear_law.instead_of(general.law))});
+      return meetings;
+    }
+  } // namespace
+
+
+
+  bool
+  has_waves_or_impacts(const Parameters &parameters)
+  {
+    const auto meetings = meetings_of_row(parameters);
+    return parameters.model.inertia > 0. &&
+           parameters.model.fields != "temperature" &&
+           (parameters.row.has_rods() ||
+            std::any_of(meetings.begin(),
+                        meetings.end(),
+                        [](const Meeting &meeting) {
+                          return meeting.law->is_rigid();
+                        }));
+  }
+
+
+
   std::vector<MassContact>
   mass_contacts(const Parameters &parameters)
   {
-    const ContactLawKind    &kind = contact_law(parameters.contact.condition);
     std::vector<MassContact> contacts;
-    if (!kind.make(parameters.contact.law)->is_active() ||
-        parameters.model.fields == "temperature")
-      return contacts;
-    const std::vector<BodyParameters> &bodies  = parameters.row.bodies;
-    double                             fastest = 0.;
-    for (const BodyParameters &body : bodies)
+    double                   fastest = 0.;
+    for (const BodyParameters &body : parameters.row.bodies)
       fastest =
         std::max(fastest, std::abs(parse_number(body.velocity).value_or(0.)));
-    const auto add = [&](const std::string                       &name,
-                         const BodyParameters                    &one,
-                         const BodyParameters *const              other,
-                         const std::unique_ptr<const ContactLaw> &law) {
-      const bool has_rod =
-        !one.is_mass() || (other != nullptr && !other->is_mass());
-      if (!one.is_mass() && (other == nullptr || !other->is_mass()))
-        return;
-      const double mass =
-        has_rod          ? (one.is_mass() ? one.mass : other->mass) :
-        other == nullptr ? one.mass :
-                           one.mass * other->mass / (one.mass + other->mass);
-      if (!law->is_rigid())
-        {
-          const double energy = 0.5 * mass * fastest * fastest;
-          const double compliance =
-            law->tangent(law->is_linear() ?
-                           0. :
-                           law->pressure(law->penetration_of_energy(energy)));
-          contacts.push_back({name, std::sqrt(mass * compliance)});
-        }
-      else if (has_rod)
-        {
-          const BodyParameters &rod = one.is_mass() ? *other : one;
-          const EquationFactors end =
-            RodProfile(parameters, rod).at_end(one.is_mass());
-          contacts.push_back({name,
-                              mass / std::sqrt(parameters.model.inertia *
-                                               end.inertia * end.stiffness)});
-        }
-    };
-    const ContactParameters &general = parameters.contact;
-    for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
+    for (const Meeting &meeting : meetings_of_row(parameters))
       {
-        const BodyParameters       &left = bodies[i], &right = bodies[i + 1];
-        const std::string           name = left.name + ' ' + right.name;
-        const PairParameters *const pair = parameters.row.find_pair(name);
-        add(name,
-            left,
-            &right,
-            pair != nullptr ?
-              pair->law_kind(kind).make(pair->own_law.instead_of(general.law)) :
-              kind.make(general.law));
+        const BodyParameters       &one   = meeting.one;
+        const BodyParameters *const other = meeting.other;
+        const ContactLaw           &law   = *meeting.law;
+        const bool                  has_rod =
+          !one.is_mass() || (other != nullptr && !other->is_mass());
+        if (!one.is_mass() && (other == nullptr || !other->is_mass()))
+          continue;
+        const double mass =
+          has_rod          ? (one.is_mass() ? one.mass : other->mass) :
+          other == nullptr ? one.mass :
+                             one.mass * other->mass / (one.mass + other->mass);
+        if (!law.is_rigid())
+          {
+            const double energy = 0.5 * mass * fastest * fastest;
+            const double compliance =
+              law.tangent(law.is_linear() ?
+                            0. :
+                            law.pressure(law.penetration_of_energy(energy)));
+            contacts.push_back({meeting.name, std::sqrt(mass * compliance)});
+          }
+        else if (has_rod)
+          {
+            const BodyParameters &rod = one.is_mass() ? *other : one;
+            const EquationFactors end =
+              RodProfile(parameters, rod).at_end(one.is_mass());
+            contacts.push_back({meeting.name,
+                                mass / std::sqrt(parameters.model.inertia *
+                                                 end.inertia * end.stiffness)});
+          }
       }
-    if (!parameters.has_row() || !parameters.boundary.right.meets_obstacle())
-      return contacts;
-    const BodyParameters &last = bodies.back();
-    add(last.name + " obstacle", last, nullptr, kind.make(general.law));
-    if (general.has_own_rear_law())
-      add(last.name + " rear obstacle",
-          last,
-          nullptr,
-          kind.make(general.own_rear_law.instead_of(general.law)));
     return contacts;
   }
 

@@ -16,15 +16,15 @@ namespace ThermoContact
   namespace
   {
     Material
-    resolve_material(const ModelParameters    &model,
-                     const BoundaryParameters &boundary,
-                     const SceneFields        &fields)
+    resolve_material(const Parameters &parameters, const SceneFields &fields)
     {
-      const Elasticity elasticity = elasticity_of(model.poisson_ratio);
-      const double     stress =
+      const ModelParameters    &model      = parameters.model;
+      const BoundaryParameters &boundary   = parameters.boundary;
+      const Elasticity          elasticity = elasticity_of(model.poisson_ratio);
+      const double              stress =
         fields.has_temperature && fields.has_displacement ? model.coupling : 0.;
       return {model.inertia,
-              model.viscosity,
+              parameters.has_masses_alone() ? 0. : model.viscosity,
               stress,
               model.heating ? stress : 0.,
               elasticity.lambda,
@@ -489,7 +489,7 @@ namespace ThermoContact
                 std::nullopt)
     , obstacle_mass(resolve_obstacle_mass(parameters, fields))
     , geometry(parameters.mesh.make_geometry(parameters.dimension))
-    , material(resolve_material(parameters.model, parameters.boundary, fields))
+    , material(resolve_material(parameters, fields))
     , gap_expression(read_expression(parameters,
                                      "Contact/Gap",
                                      parameters.contact.gap_expression))
@@ -566,7 +566,8 @@ namespace ThermoContact
     add_if(has_temperature && scene.heat.has_lateral_exchange(),
            "lateral heat exchange");
     add_if(has_displacement && material.has_inertia(), "inertia");
-    add_if(has_displacement, "elasticity");
+    add_if(has_displacement && !scene.parameters.has_masses_alone(),
+           "elasticity");
     const auto &left  = scene.parameters.boundary.left;
     const auto &right = scene.parameters.boundary.right;
     add_if(has_displacement && scene.has_free_end, "free end on the left");

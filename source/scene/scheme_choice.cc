@@ -574,22 +574,26 @@ namespace ThermoContact
     choose_scheme_of_row(const Parameters &written)
     {
       const bool is_automatic = written.time.scheme == automatic_scheme;
-      const bool has_waves =
+      const bool has_rods     = written.row.has_rods();
+      const bool has_motion =
         written.model.inertia > 0. && written.model.fields != "temperature";
+      const bool has_jumps = has_waves_or_impacts(written);
       const auto limits =
         is_automatic ? limits_of_box(written) : std::vector<BoxLimit>();
       const bool   is_box = is_automatic ?
-                              has_waves && limits.empty() :
+                              has_jumps && limits.empty() :
                               scheme(written.time.scheme).has_no_dispersion;
-      SchemeChoice choice{written,
-                          {},
-                          !is_automatic ? "" :
-                          is_box ? "bodies of a row have waves or impacts" :
-                          !has_waves ?
-                                   "without inertia there are no waves" :
-                                   "box cannot have " + limits.front().entry,
-                          false};
-      Parameters  &parameters = choice.parameters;
+      SchemeChoice choice{
+        written,
+        {},
+        !is_automatic ? "" :
+        is_box        ? "bodies of a row have waves or impacts" :
+        !has_motion   ? "without inertia there are no waves" :
+        !has_jumps    ? "masses whose contacts give way have neither "
+                        "waves nor impacts" :
+                        "box cannot have " + limits.front().entry,
+        false};
+      Parameters &parameters = choice.parameters;
       if (is_automatic)
         {
           parameters.time.scheme = is_box ? find_scheme([](const Scheme &s) {
@@ -601,7 +605,8 @@ namespace ThermoContact
       MeshParameters &mesh = parameters.mesh;
       if (mesh.degree == 0)
         {
-          mesh.degree = is_box ? 1 : MeshParameters::degree_by_default;
+          mesh.degree =
+            is_box || !has_rods ? 1 : MeshParameters::degree_by_default;
           choice.entries.push_back({"Mesh/Degree", text(mesh.degree)});
         }
       choose_row_cells(std::ldexp(mesh.cells > 0 ? mesh.cells :
@@ -627,11 +632,11 @@ namespace ThermoContact
       mesh.cells       = resolve_row(parameters).cells.size();
       mesh.refinements = 0;
       choice.has_unresolved_fronts =
-        !is_box && has_waves &&
+        !is_box && has_motion && has_rods &&
         length_of_diffusion(written.model) <
           Tolerances::nodes_of_front *
             largest_spacing(parameters.row, mesh.degree);
-      if (is_box && !parameters.time.step_size && has_waves)
+      if (is_box && !parameters.time.step_size && has_motion)
         if (const double passage = passage_of_row_cell(parameters);
             passage > 0.)
           parameters.time.step_size = passage;

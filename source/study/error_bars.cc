@@ -191,7 +191,10 @@ namespace ThermoContact
                  const KeyResults  &time,
                  const Differences &differences_of)
     {
-      KeyResults bars   = all_unknown();
+      KeyResults bars = all_unknown();
+      if (parameters.has_masses_alone())
+        for (auto &[k, bar] : bars)
+          bar = 0.;
       const auto scenes = coarser_in_space(parameters);
       if (scenes.empty())
         return bars;

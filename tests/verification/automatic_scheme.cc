@@ -33,7 +33,8 @@
 //    theta is not the traction), by the velocity of the fixed end, and by
 //    initial values that jump, but not by inputs that bend or begin like t^2.
 //    A mass m on the end swings on a stop, also on a damped one, with a wave of
-//    2 pi (eps m/b)^(1/2): 1.4 and, for m = 0.03, 0.243 with eps = 0.05.
+//    2 pi (eps m/b)^(1/2): 1.4 and, for m = 0.03, 0.243 with eps = 0.05. Masses
+//    alone have no waves, and no impacts where all contacts give way.
 // 2. A second choice on top of the first changes nothing.
 // 3. An obstacle at g = -V t meets a rod at rest, b = 1, zeta = 0: the force is
 //    V until the wave returns at t = 2, the impulse V t. On any number of
@@ -44,6 +45,12 @@
 //    meets the obstacle at t = 0.6^(1/2) = 0.77460. By d'Alembert contact
 //    begins again at 3.1056, 5.5528, 8.6325, 11.000; the largest force
 //    is 1.000, the impulse up to t = 12 3.300 (box_bars.cc).
+// 5. Two masses 1 and a wall, eps = 1e-8, by default: the first one, with
+//    velocity 1, meets the second one, that the wall, and the second one the
+//    first one again, so that the forces begin at 1/2, 3/2 and 5/2 and what
+//    contacts take, up to 2 pi (eps/2)^(1/2) = 4.4e-4, and are half waves of
+//    sines with the peak (1/eps)^(1/2) = 1e4 at the wall. Steps of a fiftieth
+//    of a contact would be more than 1e6 up to t = 3.
 
 #include <thermocontact/scene/scheme_choice.h>
 #include <thermocontact/simulation/simulation.h>
@@ -145,6 +152,32 @@ namespace
                             1e-3)
             << std::endl;
   }
+
+
+
+  void
+  throw_masses(const Overrides &masses)
+  {
+    Simulation<1> simulation(
+      read_parameters("",
+                      masses + Overrides{"Contacts/a b/Gap=0.5",
+                                         "Contact/Gap=1",
+                                         "Contact/Compliance=1e-8",
+                                         "Time/End time=3"}),
+      MPI_COMM_SELF);
+    simulation.run();
+    double       error = 0.;
+    unsigned int n     = 0;
+    for (const ContactEvent &event : simulation.events())
+      if (event.kind == ContactEvent::begin)
+        raise(error, std::abs(event.time - 0.5 - n++));
+    const RunHistory &history = simulation.history();
+    deallog << "two masses and a wall: begins " << n << ", at "
+            << within(error, 5e-4) << ", force "
+            << within(std::abs(history.max_contact_force / 1e4 - 1.), 1e-4)
+            << ", steps up to a thousand: "
+            << (history.record.step <= 1000 ? "yes" : "no") << std::endl;
+  }
 } // namespace
 
 
@@ -239,6 +272,15 @@ main_automatic_scheme()
          free + Overrides{"Initial values/Displacement=if(x>0.3,0.3,x)"});
   choose("end that bends",
          driven + Overrides{"Boundary/left/Displacement=if(t<1,0,(t-1)/10)"});
+  const Overrides masses =
+    Overrides{"Model/Fields=displacement", "Boundary/left/Support=free"} +
+    body("a", {"Kind=mass", "Mass=1", "Velocity=1"}) +
+    body("b", {"Kind=mass", "Mass=1"});
+  choose("masses", masses);
+  choose("masses, a rigid contact",
+         masses +
+           Overrides{"Contacts/a b/Condition=rigid", "Contact/Restitution=1"});
+  choose("masses and a rod", masses + body("c", {"Length=1"}));
 
   meet_moving_wall<1>("defaults", {"Time/End time=1.75"});
   for (const std::string cells : {"12", "48", "192"})
@@ -252,4 +294,5 @@ main_automatic_scheme()
                        "Mesh/Degree=2",
                        "Time/End time=0.5"});
   fall();
+  throw_masses(masses);
 }

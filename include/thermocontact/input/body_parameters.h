@@ -119,6 +119,10 @@ namespace ThermoContact
       return !bodies.empty();
     }
 
+    /** True if any body is more than a rigid mass. */
+    bool
+    has_rods() const;
+
     /** The pair "LEFT RIGHT"; null: no entry is given of it. */
     const PairParameters *
     find_pair(const std::string &name) const;

@@ -558,6 +558,13 @@ namespace ThermoContact
       return dimension == 1 && row.is_given();
     }
 
+    /** Nothing is elastic but contacts. */
+    bool
+    has_masses_alone() const
+    {
+      return has_row() && !row.has_rods();
+    }
+
     /** Section Bodies has the material of the body: in several dimensions. */
     bool
     has_material() const

@@ -194,6 +194,13 @@ namespace ThermoContact
   std::vector<double>
   passages_of_cells(const Parameters &parameters, const BodyParameters &rod);
 
+  /**
+   * True if the motion of a row has waves, or velocities that jump: not of
+   * masses alone whose contacts give way.
+   */
+  bool
+  has_waves_or_impacts(const Parameters &parameters);
+
   /** A contact with a mass, and the time that its force takes. */
   struct MassContact
   {
