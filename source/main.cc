@@ -84,6 +84,7 @@ namespace ThermoContact
       assignments.insert(assignments.end(),
                          command.overrides.begin(),
                          command.overrides.end());
+      add_scales_of_masses(assignments);
       return assignments;
     }
 

@@ -77,6 +77,8 @@ namespace ThermoContact
                split->number :
                convert_unit(split->number, split->unit, "m").value_or(nan);
     };
+    if (have_masses_alone(assignments))
+      return doubts; // they have no strains
     const double length = in_metres("Rod/Length");
     for (const std::string path : {"Contact/Gap", "Contact/Rear gap"})
       if (const double gap = in_metres(path); gap > widest_gap * length)

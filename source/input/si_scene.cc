@@ -173,6 +173,76 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /** A number with a unit, where it is one of a quantity. */
+    bool
+    has_unit(const Assignment &assignment)
+    {
+      const auto split = split_unit(assignment.value);
+      // the word behind a number may be a name, whose '*' is missing
+      return split && !split->unit.empty() && is_unit(split->unit) &&
+             !kind_of(assignment.path).empty();
+    }
+
+
+
+    /** In nondimensional scenes there is a compliance. */
+    bool
+    is_stiffness(const Assignment &assignment)
+    {
+      return kind_of(assignment.path) == "stiffness" &&
+             assignment.value != "none";
+    }
+  } // namespace
+
+
+
+  bool
+  have_masses_alone(const std::vector<Assignment> &assignments)
+  {
+    const std::string section = "Bodies/";
+    bool              has_any = false;
+    for (const Assignment &assignment : assignments)
+      if (begins_with(assignment.path, section) && assignment.path != section)
+        {
+          const std::string body =
+            assignment.path.substr(0,
+                                   assignment.path.find('/', section.size()));
+          const Assignment *const kind =
+            last_assignment(assignments, body + "/Kind");
+          if (kind == nullptr || kind->value != "mass")
+            return false;
+          has_any = true;
+        }
+    return has_any;
+  }
+
+
+
+  void
+  add_scales_of_masses(std::vector<Assignment> &assignments)
+  {
+    const Assignment *const fields =
+      last_assignment(assignments, "Model/Fields");
+    if (is_in_si(assignments) || !have_masses_alone(assignments) ||
+        fields == nullptr || fields->value != "displacement" ||
+        std::none_of(assignments.begin(),
+                     assignments.end(),
+                     [](const Assignment &assignment) {
+                       return has_unit(assignment) || is_stiffness(assignment);
+                     }))
+      return;
+    const std::string place = "the scales of masses alone";
+    assignments.insert(assignments.begin(),
+                       {{place, "Rod/Length", "1 m"},
+                        {place, "Rod/Cross-section area", "1 m^2"},
+                        {place, "Rod/Density", "1 kg/m^3"},
+                        {place, "Rod/Young's modulus", "1 Pa"}});
+  }
+
+
+
   std::string
   without_unit(const Assignment &assignment)
   {
@@ -198,17 +268,14 @@ namespace ThermoContact
   void
   refuse_units(const Assignment &assignment)
   {
-    const auto split = split_unit(assignment.value);
-    // the word behind a number may be a name, whose '*' is missing
-    if (!entry_of_program(assignment.path).kind.empty() && split &&
-        !split->unit.empty() && is_unit(split->unit))
+    if (has_unit(assignment))
       refuse(assignment,
              "a unit, and the file has no section Rod, from which "
              "the scales of a scene in SI units follow",
              "a nondimensional number",
              "the number without a unit, '*' before a name, or "
              "section Rod");
-    if (kind_of(assignment.path) == "stiffness" && assignment.value != "none")
+    if (is_stiffness(assignment))
       refuse(assignment,
              "the file has no section Rod, and is nondimensional",
              "none",

@@ -233,7 +233,8 @@ namespace ThermoContact
     const OutputUnits units(scene.parameters);
     if (scene.contact.law->is_active())
       log.line("  contact   " + describe_contact(scene, history));
-    if (units.is_si() && history.max_contact_force > Tolerances::yield_strain)
+    if (units.is_si() && !scene.parameters.has_masses_alone() &&
+        history.max_contact_force > Tolerances::yield_strain)
       log.line("  doubt     the peak force is a strain of " +
                significant(history.max_contact_force, 2) +
                ": most metals yield there, and the model does not");

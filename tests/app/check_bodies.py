@@ -8,6 +8,7 @@ equations, k = 1.36461/m. The tip is k L^2/2 off, the stress along the strip tha
 in the middle, ten widths from the ends.
 hammer: a mass on the springs of block and cap in series, by its head; the waves of the block
 move the force by 0.3 %.
+pucks: masses alone, that exchange velocities, by their head; peaks of rows, times to 1e-5 of T.
 """
 import csv
 import sys
@@ -25,6 +26,11 @@ faults = []
 def check(name, found, expected, bound):
     if not abs(found - expected) <= bound:
         faults.append(f"{name} {found}, expected {expected}")
+
+
+def table(name):
+    with open(Path(sys.argv[1]) / name, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 if run.settings["Title"].startswith("Bimetal"):
@@ -58,11 +64,24 @@ if run.settings["Title"].startswith("Bimetal"):
                 check("stress", found, expected, 1e4)
     if not middle.any():
         faults.append("no node in the middle")
+elif run.settings["Title"].startswith("Pucks"):
+    soft, hard = (numpy.pi * (0.17 / k)**0.5 for k in (1e6, 2e7))  # s
+    events = table("events.csv")
+    begins = (0.1, 0.3 + hard / 2, 0.5 + soft)
+    if len(events) != 6:
+        faults.append(f"{len(events)} events")
+    for i, (begin, taken) in enumerate(zip(begins, (hard, soft, hard))):
+        check("begin", float(events[2 * i]["time"]), 1e3 * begin, 2e-3)  # ms
+        check("duration", float(events[2 * i + 1]["duration"]), 1e3 * taken, 1e-4)
+        check("velocity", float(events[2 * i]["velocity"]), 5, 1e-4)
+    rest, shot = (max(float(row["contact_force"]) for row in table(f"contacts/{name}.csv"))
+                  for name in ("rest-obstacle", "shot-rest"))
+    check("force at the boards", rest, 5 * (0.17 * 1e6)**0.5, 4)
+    check("force of the pucks", shot, 5 * (0.17 * 5e6)**0.5, 4)
+    if "strain" in run.log or "doubt" in run.log:
+        faults.append("masses have strains")
 else:
-    with open(Path(sys.argv[1]) / "contact.csv", encoding="utf-8") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    with open(Path(sys.argv[1]) / "events.csv", encoding="utf-8") as file:
-        events = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    rows, events = table("contact.csv"), table("events.csv")
     check("peak", max(float(row["contact_force"]) for row in rows), 4461.5, 20)
     check("duration", float(events[1]["duration"]), 0.70415, 3e-4)  # ms
     check("impulse", float(rows[-1]["contact_impulse"]), 2, 5e-3)

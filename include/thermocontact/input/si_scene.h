@@ -19,6 +19,19 @@ namespace ThermoContact
   bool
   is_in_si(const std::vector<Assignment> &assignments);
 
+  /** True if section Bodies has bodies, and each is a mass. */
+  bool
+  have_masses_alone(const std::vector<Assignment> &assignments);
+
+  /**
+   * Makes a scene of masses alone one in SI units if it has a number with a
+   * unit or a stiffness, and no section Rod: adds one of 1 m, 1 m^2, 1 kg/m^3
+   * and 1 Pa, with which all numbers are those in SI base units. Not with a
+   * temperature, whose scales are those of a material.
+   */
+  void
+  add_scales_of_masses(std::vector<Assignment> &assignments);
+
   /**
    * The value of an entry in SI base units, without the unit: "3e-05" of "30
    * um". A text without a unit, and that of an entry that is no quantity, stay
