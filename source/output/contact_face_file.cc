@@ -70,7 +70,7 @@ namespace ThermoContact
         const double pressure = state.contact.pressure[i];
         return row == 0 ? pressure :
                row == 1 ? 0. - laws[i].penetration(gap[i]) :
-               row == 2 ? (pressure != 0. ? 1. : 0.) :
+               row == 2 ? laws[i].is_in_contact(gap[i], pressure) :
                           temperature[i];
       },
       cells);

@@ -402,7 +402,7 @@ namespace ThermoContact
     EnergyTerms error = result.error;
     if (scene_.contact.has_impacts() &&
         tracker.mode() == ContactMode::unilateral &&
-        result.n_iterations > 0) // a node was pushed back in some stage
+        result.is_pushed) // velocities jump within the step
       error.kinetic = 0.;
     return error_norm(error, result.energy, rigid_displacement()) /
            time.tolerance;

@@ -146,6 +146,7 @@ namespace ThermoContact
       result.state.swap(known);
     result.state.time = time_step.end;
     result.state.known_penetration.clear();
+    result.is_pushed = pushes();
     find_closed_nodes(state, mode, result);
     result.energy = body.energy.energy(result.state);
     if (tableau->has_error_estimate())
@@ -156,7 +157,7 @@ namespace ThermoContact
     else
       {
         // no sum over stages, whose lengths only the motion decides
-        if (body.scene.contact.has_dashpot() && !pushes())
+        if (body.scene.contact.has_dashpot() && !result.is_pushed)
           result.contact_dissipation =
             body.energy.obstacle_energy(state) -
             body.energy.obstacle_energy(result.state);

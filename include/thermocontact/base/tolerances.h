@@ -139,7 +139,8 @@ namespace ThermoContact
      * their errors are no part of what it looks at. */
     inline constexpr double within_search = 0.1;
 
-    /** Krylov: while the tangents of contact still change. */
+    /** Krylov: while the tangents of contact still change, and the most that
+     * rounding may leave. */
     inline constexpr double loose_residual = 1e-5;
 
     /** Krylov: of the correction of an estimate of errors. */

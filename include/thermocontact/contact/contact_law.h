@@ -121,7 +121,8 @@ namespace ThermoContact
       return damping_ > 0. && dashpot_ == 0.;
     }
 
-    /** True if the pressure is proportional to the penetration. */
+    /** True if the pressure is proportional to the penetration, or the other
+     * way round: on a rigid obstacle, or without one. */
     bool
     is_linear() const
     {

@@ -212,7 +212,8 @@ namespace ThermoContact
   /**
    * The law of one contact node in one problem, made of the above: which
    * obstacle it meets, on one side or on two, held or not, damped or not.
-   * Problems of contact know sides and branches by it alone. Positions are
+   * Stages and equilibria know sides and branches by it alone; events and
+   * steps that a node spends at both obstacles look at both. Positions are
    * measured from the obstacle that is local to the node, in the direction of
    * the displacement in front of it and behind it alike.
    */

@@ -11,8 +11,8 @@ namespace ThermoContact
 {
   /**
    * The contact end of a body in two or three dimensions, a line or a surface
-   * through the contact nodes: contact_pressure, gap ($g-u$), in_contact (1
-   * where $p>0$), and temperature, if the scene has it. Collective.
+   * through the contact nodes: contact_pressure, gap ($g-u$), in_contact (as
+   * in contact.csv), and temperature, if the scene has it. Collective.
    */
   template <int dim>
   VtuCells<dim - 1, dim>

@@ -240,7 +240,10 @@ namespace ThermoContact
     /**
      * (D5.2).
      *
-     * @param is_closed at a rigid obstacle: nodes in contact; empty: all nodes that do not lie before it
+     * @param is_closed at a rigid obstacle: nodes in contact; empty: all nodes
+     *   that do not lie before it
+     * @param touches at a damped one: nodes that lie before it, as events are
+     *   located to a tolerance, begin at it
      */
     void
     set_velocity_of_viscous_body(const std::vector<bool> &is_closed,

@@ -54,7 +54,7 @@ namespace ThermoContact
    * A linear system of SystemCoefficients, made for many right-hand sides. Rows
    * of constrained degrees of freedom say that the unknown vanishes.
    *
-   * There are three ways to solve it. The blocks along a rod in one process are
+   * Who solves it: the blocks along a rod in one process are
    * eliminated one after the other; sparse factors (KLU) are for all other
    * bodies that have matrices, for rods whose blocks grow on the way, and for
    * those with a diagonal; bodies without matrices have Krylov's methods, GMRES
@@ -151,7 +151,7 @@ namespace ThermoContact
      * are none.
      *
      * @param new_springs stiffness; infinite: the node is held; empty: there
-     *   are none
+     *   are none, in a system of one field
      * @param new_relaxed values at which they have no force
      */
     void
@@ -268,7 +268,8 @@ namespace ThermoContact
     const ThermoviscoelasticOperator<dim>                 &equations;
     const SystemCoefficients                               coefficients;
     const Rows                                             rows;
-    const double          scale; ///< $\tau$ of a stage
+    /** $\sqrt{c_s/c_h}$: $\tau$ of a stage for $(\theta',v)$. */
+    const double          scale;
     std::optional<Vector> diagonal;
     double                refused_growth_ = 0.;
 

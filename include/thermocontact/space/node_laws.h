@@ -59,7 +59,7 @@ namespace ThermoContact
 
   /**
    * The same at the end of a stage of length @p tau that begins at @p known: x
-   * is a position or, of laws with damping, a velocity relative to the local
+   * is a position or, if any law has damping, a velocity relative to the local
    * obstacle, (C2.7).
    *
    * @param mode open: the nodes meet nothing; closed: they are held

@@ -16,9 +16,10 @@
 namespace ThermoContact
 {
   /**
-   * A stage of a large body: both fields at once, without a matrix and without
-   * a response for each node. Its contact nodes are those of a ContactPort, for
-   * whose tangents IterativeStage solves it, loosely until the laws are met.
+   * A stage of a large body: both fields at once, without a matrix; responses
+   * of single nodes are for estimates of errors alone. Its contact nodes are
+   * those of a ContactPort, for whose tangents IterativeStage solves it,
+   * loosely until the laws are met.
    */
   template <int dim>
   class IterativeSolver : public StageSolver,

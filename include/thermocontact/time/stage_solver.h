@@ -61,7 +61,7 @@ namespace ThermoContact
 
     unsigned int linear_iterations     = 0; ///< with V-cycles, added up
     unsigned int max_linear_iterations = 0; ///< of one system of a stage
-    unsigned int active_set_iterations = 0; ///< sets, added up
+    unsigned int active_set_iterations = 0; ///< of systems without factors
 
     double factorization_seconds = 0.; ///< assembly of stage matrices, too
     double solve_seconds         = 0.; ///< with factorisations
@@ -148,7 +148,8 @@ namespace ThermoContact
      * @param tau stage length, positive; a new value costs a factorisation
      * @param heat_load,momentum_load loads at the stage time
      * @param mode unilateral: the contact law; open, closed: one of its two
-     *   branches, which makes the stage linear
+     *   branches, which makes the stage linear if the law is and exchange does
+     *   not depend on the contact
      * @param rates out; its vectors have been given their layout by the caller;
      *   a stage that did not converge has a non-empty failure
      * @throw ComputationError if a matrix cannot be factorised, iterations of a

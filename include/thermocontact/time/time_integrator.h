@@ -26,6 +26,7 @@ namespace ThermoContact
 
     unsigned int n_iterations  = 0;     ///< of the stages, added up
     bool         is_prescribed = false; ///< the paper's first step, (D5.1)
+    bool         is_pushed     = false; ///< a stage has contact pressure
 
     /**
      * Nodes in contact at the end of a step within which nodes without mass
