@@ -153,6 +153,10 @@ namespace ThermoContact
                kind,
              kind == "temperature" ?
                "degC for degrees Celsius, K for kelvin" :
+             kind == "body force" &&
+                 convert_unit(split->number, split->unit, "m/s^2") ?
+               "the density times this acceleration; masses alone have 1 "
+               "kg/m^3" :
                "such a unit, or the number without one, in " + unit_of(kind));
     }
   } // namespace
@@ -309,9 +313,13 @@ namespace ThermoContact
       if (const DeclaredEntry *const entry = find_entry(assignment.path);
           entry != nullptr && entry->kind == kind_of_coefficients)
         refuse(assignment,
-               "section Rod decides it",
+               have_masses_alone(assignments) ?
+                 "masses alone have no material" :
+                 "section Rod decides it",
                "no such entry",
-               "change the rod, or the scene that --units prints");
+               have_masses_alone(assignments) ?
+                 "leave it out" :
+                 "change the rod, or the scene that --units prints");
   }
 
 
