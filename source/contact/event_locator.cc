@@ -430,6 +430,7 @@ namespace ThermoContact
     for (const ContactEvent &event : pending)
       add_event(event, events);
     pending.clear();
+    const ContactMode mode_of_step = mode_;
     if (mode_ == ContactMode::open && finding.kind == Finding::at_end)
       side = finding.obstacle;
     if (mode_ == ContactMode::unilateral)
@@ -455,6 +456,10 @@ namespace ThermoContact
           begins ? ContactMode::closed :
                    mode_without_pressure(next);
       }
+    has_last = !has_velocity && mode_ == mode_of_step &&
+               mode_ != ContactMode::unilateral && next.time > present.time;
+    if (has_last)
+      last = present;
     present = next;
     largest.add({present, side});
   }
@@ -462,9 +467,25 @@ namespace ThermoContact
 
 
   CubicHermite
+  EventLocator::course(const double at_last,
+                       const double s0,
+                       const double s1,
+                       const double end) const
+  {
+    const double change = s1 - s0;
+    if (!has_last)
+      return CubicHermite(s0, change, s1, change);
+    const double ratio = (present.time - last.time) / (end - present.time);
+    const double bend  = (change - (s0 - at_last) / ratio) / (1. + ratio);
+    return CubicHermite(s0, change - bend, s1, change + bend);
+  }
+
+
+
+  CubicHermite
   EventLocator::margin(const LocalValues &next, const unsigned int node) const
   {
-    const LocalValues from{present, next.side};
+    const LocalValues from{present, next.side}, before{last, next.side};
     if (is_margin_pressure())
       {
         const double p0 = from.pressure(node);
@@ -473,24 +494,30 @@ namespace ThermoContact
             next.pressure(node) :
             law_of(next.side).held_pressure(next.penetration(node),
                                             next.velocity(node));
-        return CubicHermite(p0, p1 - p0, p1, p1 - p0);
+        return course(has_last ? before.pressure(node) : p0,
+                      p0,
+                      p1,
+                      next.values.time);
       }
     const double sign = mode_ == ContactMode::closed ? 1. : -1.;
     const double size = next.values.time - present.time;
-    double       s0   = sign * from.penetration(node);
-    double       s1   = sign * next.penetration(node);
-    if (mode_ == ContactMode::closed && nodes != NodeOrder::inertial &&
-        !law_of(next.side).is_damped())
-      {
-        // the same with the digits that a stiff obstacle needs; the pressures
-        // that a damped one has here are those of the penetrations, and
-        // between two obstacles, or behind an end of contact, there is none
-        s0 = law_of(next.side).penetration(from.pressure(node));
-        if (next.pressure(node) != 0.)
-          s1 = law_of(next.side).penetration(next.pressure(node));
-      }
+    // the same with the digits that a stiff obstacle needs; the pressures that
+    // a damped one has here are those of the penetrations, and between two
+    // obstacles, or behind an end of contact, there is none
+    const bool is_by_pressure = mode_ == ContactMode::closed &&
+                                nodes != NodeOrder::inertial &&
+                                !law_of(next.side).is_damped();
+    const auto way = [&](const LocalValues &at, const bool is_pressed) {
+      return is_pressed ? law_of(next.side).penetration(at.pressure(node)) :
+                          sign * at.penetration(node);
+    };
+    const double s0 = way(from, is_by_pressure);
+    const double s1 = way(next, is_by_pressure && next.pressure(node) != 0.);
     if (!has_velocity)
-      return CubicHermite(s0, s1 - s0, s1, s1 - s0);
+      return course(has_last ? way(before, is_by_pressure) : s0,
+                    s0,
+                    s1,
+                    next.values.time);
     return CubicHermite(s0,
                         sign * size * from.velocity(node),
                         s1,

@@ -90,7 +90,7 @@ namespace ThermoContact
      * Changes with every member that a Simulation saves, but for columns of
      * contact.csv: its archive does not say what is in it.
      */
-    const std::string format = "thermocontact checkpoint 18";
+    const std::string format = "thermocontact checkpoint 19";
 
 
 

@@ -436,6 +436,7 @@ namespace ThermoContact
     if (at == nullptr)
       return nullptr;
     result.state.load_time = at->new_time;
+    tracker.forget_last();
     together([&]() {
       if (body_.obstacle.is_active())
         tracker.pass_slope_discontinuity(*at, result, history_.events);

@@ -202,13 +202,18 @@ namespace ThermoContact
     Scales                    largest;
     int                       side = 1; ///< of the last contact
 
+    /** Where the step to the present one began, if the margin has gone on
+     * smoothly since then and has no velocities. */
+    ContactValues last;
+    bool          has_last = false;
+
     /** For checkpoints; after a step that was accepted. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &mode_ &present &is_in_contact &pending &side &largest
-        .displacement                                       &largest.pressure;
+      archive &mode_ &present &is_in_contact &pending &side &last &has_last
+        &largest.displacement &largest.pressure;
     }
   };
 
@@ -378,7 +383,16 @@ namespace ThermoContact
     void
     set_present(const ContactValues &values)
     {
-      present = values;
+      present  = values;
+      has_last = false;
+    }
+
+    /** The course of the margin before now tells nothing of the one behind:
+     * loads have a jump or a kink. */
+    void
+    forget_last()
+    {
+      has_last = false;
     }
 
     /** The part that changes during a run. */
@@ -404,6 +418,19 @@ namespace ThermoContact
     const double      tolerance;
     const bool        has_small_changes;
     const bool        has_velocity;
+
+    /**
+     * A margin without slopes from s0 to s1 at @p end: the parabola through the
+     * step end before, too, without which a dip between two ends is not seen;
+     * a line if there is none.
+     *
+     * @param at_last the margin there
+     */
+    CubicHermite
+    course(const double at_last,
+           const double s0,
+           const double s1,
+           const double end) const;
 
     /** The law of the obstacle in front, 1, or behind, -1. */
     const ContactLaw &

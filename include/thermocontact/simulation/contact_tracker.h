@@ -115,6 +115,14 @@ namespace ThermoContact
     void
     jump(const State &state, std::vector<ContactEvent> &events);
 
+    /** EventLocator::forget_last(), of all. */
+    void
+    forget_last()
+    {
+      for (EventLocator &locator : locators)
+        locator.forget_last();
+    }
+
     /**
      * The velocity of the obstacle may jump where the step that was accepted
      * last ends: an impact, if a rigid one gets faster towards the nodes with
