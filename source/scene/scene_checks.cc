@@ -1226,6 +1226,29 @@ namespace ThermoContact
 
 
 
+    /** Cells by which the shortest waves stay behind in a run, where they pass
+     * a cell in another time than a step. */
+    double
+    drift(const double passage, const TimeParameters &time)
+    {
+      return std::abs(*time.step_size / passage - 1.) * time.n_steps();
+    }
+
+
+
+    /** The largest one in a rod of a row. */
+    double
+    drift_in_rod(const Scene &scene, const BodyParameters &rod)
+    {
+      double largest = 0.;
+      if (!rod.is_mass())
+        for (const double passage : passages_of_cells(scene.parameters, rod))
+          largest = std::max(largest, drift(passage, scene.parameters.time));
+      return largest;
+    }
+
+
+
     /** dispersion_warning() of the rods of a row. */
     std::string
     dispersion_warning_of_row(const Scene &scene)
@@ -1239,8 +1262,7 @@ namespace ThermoContact
       for (const BodyParameters &body : parameters.row.bodies)
         if (!body.is_mass())
           for (const double passage : passages_of_cells(parameters, body))
-            if (std::abs(*size / passage - 1.) * parameters.time.n_steps() >
-                Tolerances::drift_of_waves)
+            if (drift(passage, parameters.time) > Tolerances::drift_of_waves)
               {
                 others.push_back(body.name + " (" +
                                  units.text("time", passage) + ")");
@@ -1256,33 +1278,52 @@ namespace ThermoContact
                     "; remedy: lengths whose passages have a common measure, "
                     "or more Mesh/Cells");
     }
+
+
+
+    double
+    drift_of_passages(const Scene &scene)
+    {
+      const Parameters &parameters = scene.parameters;
+      if (!scene.has_midpoint_mass || !parameters.time.step_size)
+        return 0.;
+      if (!parameters.has_row())
+        return drift(passage_without_row(scene), parameters.time);
+      double largest = 0.;
+      for (const BodyParameters &body : parameters.row.bodies)
+        largest = std::max(largest, drift_in_rod(scene, body));
+      return largest;
+    }
+
+
+
+    /** False if it is that of sizes that are meant to be the same. */
+    bool
+    has_drift(const Scene &scene, const double cells)
+    {
+      return cells > 0. && cells > Tolerances::same_step_size *
+                                     scene.parameters.time.n_steps();
+    }
   } // namespace
+
+
+
+  double
+  drift_of_shortest_waves(const Scene &scene)
+  {
+    if (!scene.scheme.has_no_dispersion)
+      return 0.;
+    return drift_of_passages(scene) +
+           (std::sqrt(1. + scene.material.stiffness_by_heat()) - 1.) *
+             scene.parameters.time.n_steps();
+  }
 
 
 
   bool
   has_dispersion(const Scene &scene)
   {
-    const Parameters &parameters = scene.parameters;
-    const auto        size       = parameters.time.step_size;
-    const auto        differs    = [&](const double passage) {
-      return std::abs(*size / passage - 1.) > Tolerances::same_step_size;
-    };
-    if (!scene.has_midpoint_mass || !size)
-      return false;
-    if (!scene.row.is_given())
-      return differs(passage_without_row(scene));
-    return std::any_of(parameters.row.bodies.begin(),
-                       parameters.row.bodies.end(),
-                       [&](const BodyParameters &body) {
-                         if (body.is_mass())
-                           return false;
-                         const auto passages =
-                           passages_of_cells(parameters, body);
-                         return std::any_of(passages.begin(),
-                                            passages.end(),
-                                            differs);
-                       });
+    return has_drift(scene, drift_of_shortest_waves(scene));
   }
 
 
@@ -1296,7 +1337,7 @@ namespace ThermoContact
     const double           passage = passage_without_row(scene);
     const QuantityUnits    units(scene.parameters);
     constexpr unsigned int digits = 12; // sizes may differ by less than show
-    return !has_dispersion(scene) ?
+    return !has_drift(scene, drift_of_passages(scene)) ?
              "" :
              text("Time/Step size = ",
                   units.text("time", *size, digits),

@@ -228,32 +228,34 @@ namespace ThermoContact
                  std::max(std::abs(given), std::abs(there)) ||
              has_breaks(end, parameters.time.end_time, true);
     }
+  } // namespace
 
 
 
-    /** Whether initial values, a traction or the fixed end make fronts. */
-    bool
-    has_jumps(const Parameters &parameters)
-    {
-      const BoundaryParameters &boundary = parameters.boundary;
-      return parameters.dimension == 1 &&
-             (has_jump_of_initial_values(parameters) ||
-              has_jump_of_traction(parameters,
-                                   1,
-                                   "Boundary/right/Traction",
-                                   boundary.right.traction,
-                                   boundary.right) ||
-              (boundary.left.is_free() &&
-               has_jump_of_traction(parameters,
-                                    -1,
-                                    "Boundary/left/Traction",
-                                    boundary.left.traction,
-                                    boundary.left)) ||
-              has_jump_of_velocity(parameters));
-    }
+  bool
+  has_fronts_of_data(const Parameters &parameters)
+  {
+    const BoundaryParameters &boundary = parameters.boundary;
+    return parameters.dimension == 1 &&
+           (has_jump_of_initial_values(parameters) ||
+            has_jump_of_traction(parameters,
+                                 1,
+                                 "Boundary/right/Traction",
+                                 boundary.right.traction,
+                                 boundary.right) ||
+            (boundary.left.is_free() &&
+             has_jump_of_traction(parameters,
+                                  -1,
+                                  "Boundary/left/Traction",
+                                  boundary.left.traction,
+                                  boundary.left)) ||
+            has_jump_of_velocity(parameters));
+  }
 
 
 
+  namespace
+  {
     /**
      * Length over which an obstacle spreads the fronts that it makes: that of a
      * compliance, or of the wave of a mass on the end that swings on it. Zero
@@ -287,8 +289,9 @@ namespace ThermoContact
     length_of_fronts(const Parameters &parameters)
     {
       return std::max(length_of_diffusion(parameters.model),
-                      has_jumps(parameters) ? 0. :
-                                              length_of_contact(parameters));
+                      has_fronts_of_data(parameters) ?
+                        0. :
+                        length_of_contact(parameters));
     }
 
 
@@ -403,7 +406,7 @@ namespace ThermoContact
                               length_of_layer(written);
       double of_compliance = infinity;
       if (is_elastic && written.contact.massless_nodes != "off" &&
-          !has_jumps(written))
+          !has_fronts_of_data(written))
         of_compliance = cells_for(nodes_of_compliance, law->tangent(0.));
       double     of_viscosity = std::max(of_layer,
                                      cells_for(Tolerances::nodes_of_front,
@@ -458,7 +461,8 @@ namespace ThermoContact
     /**
      * The entries with this scheme, and all that follows from it.
      *
-     * @param cells that resolve fronts, where they are automatic; 0: none
+     * @param cells that resolve fronts, or that a run without dispersion can
+     *   have, where they are automatic; 0: none, or those of the tolerance
      */
     SchemeChoice
     with_scheme(const Parameters  &written,
@@ -484,8 +488,8 @@ namespace ThermoContact
       const bool is_box = scheme.has_no_dispersion;
       choose("Mesh/Cells",
              parameters.mesh.cells,
-             is_box    ? cells_of_tolerance(written.time.tolerance) :
              cells > 0 ? cells :
+             is_box    ? cells_of_tolerance(written.time.tolerance) :
                          MeshParameters::cells_by_default);
       choose("Mesh/Degree",
              parameters.mesh.degree,
@@ -672,17 +676,29 @@ namespace ThermoContact
         return with_scheme(written,
                            default_scheme(),
                            "box cannot have " + limits.front().entry);
-      const SchemeChoice choice =
-        with_scheme(written,
-                    *find_scheme(
-                      [](const Scheme &s) { return s.has_no_dispersion; }),
-                    "waves are sharp, and nothing smooths them");
-      const Parameters &parameters = choice.parameters;
-      const double      n_steps =
+      const Scheme &box =
+        *find_scheme([](const Scheme &s) { return s.has_no_dispersion; });
+      const std::string reason_for_box =
+        "waves are sharp, and nothing smooths them";
+      const SchemeChoice choice     = with_scheme(written, box, reason_for_box);
+      const Parameters  &parameters = choice.parameters;
+      const double       n_steps =
         parameters.time.end_time / *parameters.time.step_size;
-      if (n_steps * parameters.mesh.n_cells_along() <=
-          Tolerances::most_cell_steps)
+      const double excess =
+        n_steps * parameters.mesh.n_cells_along() / Tolerances::most_cell_steps;
+      if (excess <= 1.)
         return choice;
+      // a smaller tolerance than the default one is to make nothing worse
+      const unsigned int possible =
+        parameters.mesh.cells / std::sqrt(excess) / multiple_of_cells;
+      if (choice.find("Mesh/Cells") != nullptr && !written.time.step_size &&
+          possible * multiple_of_cells >=
+            cells_of_tolerance(TimeParameters().tolerance))
+        return with_scheme(written,
+                           box,
+                           reason_for_box + "; cells as many as a run of some "
+                                            "seconds can have",
+                           possible * multiple_of_cells);
       return with_scheme(written,
                          default_scheme(),
                          "box would take " + about(n_steps) + " steps");

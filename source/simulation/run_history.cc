@@ -79,13 +79,51 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    double
+    largest_estimate(const std::vector<RunHistory::Peaks> &peaks,
+                     SampledPeak RunHistory::Peaks::*const of)
+    {
+      double largest = nan;
+      for (const RunHistory::Peaks &at : peaks)
+        largest = std::fmax(largest, (at.*of).estimate());
+      return largest;
+    }
+
+
+
+    /** Of all contacts; null: there is none. */
+    const SampledPeak *
+    largest_peak(const std::vector<RunHistory::Peaks> &peaks,
+                 SampledPeak RunHistory::Peaks::*const of)
+    {
+      const auto largest =
+        std::max_element(peaks.begin(),
+                         peaks.end(),
+                         [of](const auto &one, const auto &other) {
+                           return (one.*of).top() < (other.*of).top();
+                         });
+      return largest == peaks.end() ? nullptr : &((*largest).*of);
+    }
+
+
+
+    double
+    change_beside_largest(const std::vector<RunHistory::Peaks> &peaks,
+                          SampledPeak RunHistory::Peaks::*const of)
+    {
+      const SampledPeak *const largest = largest_peak(peaks, of);
+      return largest == nullptr ? 0. : largest->change_beside();
+    }
+  } // namespace
+
+
+
   double
   RunHistory::peak_force() const
   {
-    double peak = nan;
-    for (const Peaks &at : peaks)
-      peak = std::fmax(peak, at.force.estimate());
-    return peak;
+    return largest_estimate(peaks, &Peaks::force);
   }
 
 
@@ -93,10 +131,32 @@ namespace ThermoContact
   double
   RunHistory::peak_penetration() const
   {
-    double peak = nan;
-    for (const Peaks &at : peaks)
-      peak = std::fmax(peak, at.penetration.estimate());
-    return peak;
+    return largest_estimate(peaks, &Peaks::penetration);
+  }
+
+
+
+  double
+  RunHistory::change_beside_force() const
+  {
+    return change_beside_largest(peaks, &Peaks::force);
+  }
+
+
+
+  double
+  RunHistory::change_beside_penetration() const
+  {
+    return change_beside_largest(peaks, &Peaks::penetration);
+  }
+
+
+
+  double
+  RunHistory::time_of_largest_force() const
+  {
+    const SampledPeak *const largest = largest_peak(peaks, &Peaks::force);
+    return largest == nullptr ? 0. : largest->time_of_largest();
   }
 
 

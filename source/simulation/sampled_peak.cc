@@ -22,6 +22,16 @@ namespace ThermoContact
     now = {time, value, rate};
     ++n_samples;
     if (n_samples == 1 || value >= largest)
+      {
+        in_front   = recent;
+        n_behind   = 0;
+        this->time = time;
+      }
+    else if (n_behind < n_beside)
+      behind[n_behind++] = value;
+    std::move_backward(recent.begin(), recent.end() - 1, recent.end());
+    recent[0] = value;
+    if (n_samples == 1 || value >= largest)
       largest = of_parabola = value;
     else if (n_samples > 2 && last.value == largest &&
              (std::isnan(rate) || !(before.value > 0.)))
@@ -31,6 +41,24 @@ namespace ThermoContact
         double &top = has_kink() ? of_kinks : of_cubics;
         top         = std::max(top, top_of_step());
       }
+  }
+
+
+
+  double
+  SampledPeak::change_beside() const
+  {
+    const auto least = [this](const std::array<double, n_beside> &values,
+                              const unsigned int                  n) {
+      double change = infinity, next = largest;
+      for (unsigned int i = 0; i < n && values[i] > 0.; ++i)
+        {
+          change = std::min(change, std::abs(next - values[i]));
+          next   = values[i];
+        }
+      return std::isinf(change) ? 0. : change;
+    };
+    return std::max(least(in_front, n_beside), least(behind, n_behind));
   }
 
 

@@ -298,7 +298,7 @@ namespace ThermoContact
     if (controller.is_finished(state_.time))
       {
         history_.warn(spatial_error_monitor.take_warning());
-        history_.warn(warning_of_largest_force(scene_, events()));
+        history_.warn(warning_of_largest_force(scene_, history_));
       }
   }
 

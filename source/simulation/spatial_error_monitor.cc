@@ -6,6 +6,7 @@
 #include <thermocontact/base/tolerances.h>
 #include <thermocontact/input/quantity_units.h>
 #include <thermocontact/method/impact_layer.h>
+#include <thermocontact/scene/scene_checks.h>
 #include <thermocontact/simulation/spatial_error_monitor.h>
 
 #include <deal.II/base/polynomial.h>
@@ -395,6 +396,22 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    bool
+    has_impact(const std::vector<ContactEvent> &events)
+    {
+      return std::any_of(events.begin(),
+                         events.end(),
+                         [](const ContactEvent &event) {
+                           return event.kind == ContactEvent::begin &&
+                                  event.velocity != 0.;
+                         });
+    }
+  } // namespace
+
+
+
   bool
   is_largest_force_of_mesh(const Scene                     &scene,
                            const std::vector<ContactEvent> &events)
@@ -402,22 +419,45 @@ namespace ThermoContact
     return (scene.scheme_choice.has_unresolved_fronts ||
             2. * scene.parameters.mesh.contact_node_length() >
               spacing_of_largest_force(scene)) &&
-           std::any_of(events.begin(),
-                       events.end(),
-                       [](const ContactEvent &event) {
-                         return event.kind == ContactEvent::begin &&
-                                event.velocity != 0.;
-                       });
+           has_impact(events);
+  }
+
+
+
+  double
+  overshoot_of_fronts(const Scene &scene, const RunHistory &history)
+  {
+    const double drift = drift_of_shortest_waves(scene);
+    if (drift == 0. || history.events.empty())
+      return 0.;
+    const double begin =
+      has_fronts_of_data(scene.parameters) ? 0. : history.events.front().time;
+    const double way = std::max(0., history.time_of_largest_force() - begin) /
+                       scene.parameters.time.end_time;
+    return std::min(Tolerances::overshoot_of_fronts,
+                    Tolerances::overshoot_of_drift * drift * way);
   }
 
 
 
   std::string
-  warning_of_largest_force(const Scene                     &scene,
-                           const std::vector<ContactEvent> &events)
+  warning_of_largest_force(const Scene &scene, const RunHistory &history)
   {
-    if (!is_largest_force_of_mesh(scene, events))
-      return "";
+    if (!is_largest_force_of_mesh(scene, history.events))
+      {
+        const double overshoot = overshoot_of_fronts(scene, history);
+        const double stiffness = scene.material.stiffness_by_heat();
+        return overshoot > Tolerances::harmless_change && stiffness > 0. ?
+                 text(
+                   "waves that heat the body travel faster than the mesh "
+                   "lets its shortest ones: fronts, and with them the "
+                   "largest force, overshoot by up to ",
+                   significant(100. * overshoot, 2),
+                   " %; remedy: Model/Fields = displacement, with a modulus ",
+                   significant(1. + stiffness, 8),
+                   " times as large, that of waves without exchange of heat") :
+                 "";
+      }
     const double spacing = 0.5 * (scene.parameters.mesh.degree + 1.) *
                            spacing_of_largest_force(scene);
     const std::string start = "the largest force is that of the mesh: ";

@@ -385,9 +385,7 @@ namespace ThermoContact
     path.rear = start(contact.law_at(c, -1), -u - contact.rear_gap_at(c), -p);
     // bodies that rest side by side do not meet by the rounding of waves
     path.negligible_velocity =
-      (body.scene.row.is_given() ? Tolerances::rounding_of_fronts :
-                                   Tolerances::rounding_of_solution) *
-      rates.velocity.linfty_norm();
+      Tolerances::rounding_of_fronts * rates.velocity.linfty_norm();
     return path;
   }
 

@@ -99,6 +99,8 @@ def results(number, overrides, has_bars):
         check_screen(summary, (directory / "log.txt").read_text(encoding="utf-8"))
     shutil.rmtree(directory)
     values = {key: math.nan if summary[key] is None else summary[key] for key in KEYS}
+    summary |= {f"{key} beside": change_beside([float(row[column]) for row in rows])
+                for key, column in PEAKS.items()}
     for key, column in PEAKS.items():
         of_rows = (lambda rows, _: max(row[1] for row in rows)) if summary[
             "scheme"] == "box" else peak
@@ -225,29 +227,44 @@ def space_bars(values, in_space, time, smallest):
     return bars
 
 
-def of_releases(summary, overrides):
-    """A step for each, times the force, of a rigid obstacle; of a hard one the time in which
-    it gives way, its compliance. Steps pass a cell, b = 1."""
+def change_beside(values):
+    """The least change from step to step of four before the largest value, or behind it"""
+    largest = max(range(len(values)), key=lambda i: (values[i], i))
+    changes = [0]
+    for side in (1, -1):
+        least, i = math.inf, largest
+        while abs(i - largest) < 4 and 0 <= i + side < len(values) and values[i + side] > 0:
+            least, i = min(least, abs(values[i] - values[i + side])), i + side
+        changes.append(0 if math.isinf(least) else least)
+    return max(changes)
+
+
+def of_steps(summary, overrides):
+    """Twice the change of a peak in a step beside it; a step for each release, times the
+    force, of a rigid obstacle; of a hard one the time in which it gives way, its compliance.
+    Steps pass a cell, b = 1."""
+    peaks = {key: 2 * summary[f"{key} beside"] for key in PEAKS}
     given = dict(entry.split("=", 1) for entry in overrides)
     step, compliance = 1 / int(given["Mesh/Cells"]), float(given.get("Contact/Compliance", 0))
     is_hard = 0 < 2 * compliance < step
     if given.get("Contact/Condition") != "rigid" and not is_hard:
-        return {}
+        return peaks
     n = summary["contact_begins"] - (summary["final_contact_force"] > 0)
     time = n * (compliance if is_hard else step)
     moved = time * summary["max_contact_force"]
-    return {"contact_duration": time, "contact_impulse": moved,
-            "final_displacement_end": moved if is_hard else 0}
+    return peaks | {"contact_duration": time, "contact_impulse": moved,
+                    "final_displacement_end": moved if is_hard else 0,
+                    "restitution": math.inf if is_hard else 0}
 
 
-def joined_bars(summary, values, in_space, releases):
+def joined_bars(summary, values, in_space, steps):
     """(D9.5)"""
     bars = {}
     for key in KEYS:
         near, far = (difference(values[key], repeat[key]) for repeat in in_space)
-        bars[key] = max(near, far / 3, releases.get(key, 0))
+        bars[key] = max(near, far / 3, steps.get(key, 0))
         if summary[key] is not None:
-            bars[key] = max(bars[key], values[key] - summary[key], 1e-12 * abs(summary[key]))
+            bars[key] = max(bars[key], values[key] - summary[key], 1e-9 * abs(summary[key]))
     return bars
 
 
@@ -258,7 +275,7 @@ def check_case(case):
                for entries in [entries for entries, _ in in_time] + in_space]
     time = time_bars(summary, values, repeats[:len(in_time)],
                      [weight for _, weight in in_time])
-    space = (joined_bars(summary, values, repeats, of_releases(summary, overrides))
+    space = (joined_bars(summary, values, repeats, of_steps(summary, overrides))
              if smallest is None else
              space_bars(values, repeats[len(in_time):], time, smallest))
     faults = []

@@ -17,24 +17,25 @@
 //    w (1 + w/eps)^(1/2) = 8.72e-4, instead of 40; l = 0.0071, 20.5; 3e-4: 40,
 //    as w <= 1.5e-4 needs 93, l = 0.00388, 37.6; 1e-4: l = 0.00224, 65.1 -> 66.
 //    The box scheme has 2 tolerance^(-1/2) cells, in multiples of 8: 632.5 ->
-//    640, 200, 64, and not less than 40, and takes over where n p is more than
-//    twice that: 1e-5 needs l = 7.07e-4, 206, more than 160; 0.003 at
-//    a tolerance of 1e-3 18.3 -> 19, more than 16. At 1e-7
-//    n is 100^(1/8) = 1.78 times as much: 0.01 has 17.8 -> 18. Fewer cells than
-//    n that are given are those of box, too. Where waves are smooth, n is for
-//    layers l below 10.5 of the lengths 1/(8 4 5) of the default mesh, 0.0656,
-//    with zeta = 0.2 below eps = (l^6/(zeta^2 (l^2 + zeta^2)))^(1/2) = 0.00671:
-//    0.0066 has 2.24 -> 3; zeta = 0.1, eps = 0.005: t = 0.0142, l = 0.0377,
-//    3.87 -> 4, at 1e-7 6.9 -> 7; zeta = 0.2, eps = 1e-4: t = 0.00126, l =
-//    0.0159, 9.2 -> 10; 1e-9: l = 3.4e-4, 427, more than 160: the default mesh,
-//    as on a power law, below a mass, and beside cells or a degree that are
-//    given. Without an obstacle fronts are
-//    made by a traction that jumps in the run or at its start (where u_x - a
-//    theta is not the traction), by the velocity of the fixed end, and by
-//    initial values that jump, but not by inputs that bend or begin like t^2.
-//    A mass m on the end swings on a stop, also on a damped one, with a wave of
-//    2 pi (eps m/b)^(1/2): 1.4 and, for m = 0.03, 0.243 with eps = 0.05. Masses
-//    alone have no waves, and no impacts where all contacts give way.
+//    640, 200, 64, and not less than 40, but where cells times steps are more
+//    than 1e8 for T = 10 at 1e-9 3162 -> 3160, and takes over where n p is more
+//    than twice that: 1e-5 needs l = 7.07e-4, 206, more than 160; 0.003 at a
+//    tolerance of 1e-3 18.3 -> 19, more than 16. At 1e-7 n is 100^(1/8) = 1.78
+//    times as much: 0.01 has 17.8 -> 18. Fewer cells than n that are given are
+//    those of box, too. Where waves are smooth, n is for layers l below 10.5 of
+//    the lengths 1/(8 4 5) of the default mesh, 0.0656, with zeta = 0.2 below
+//    eps = (l^6/(zeta^2 (l^2 + zeta^2)))^(1/2) = 0.00671: 0.0066 has 2.24 -> 3;
+//    zeta = 0.1, eps = 0.005: t = 0.0142, l = 0.0377, 3.87 -> 4, at 1e-7 6.9 ->
+//    7; zeta = 0.2, eps = 1e-4: t = 0.00126, l = 0.0159, 9.2 -> 10; 1e-9: l
+//    = 3.4e-4, 427, more than 160: the default mesh, as on a power law, below a
+//    mass, and beside cells or a degree that are given. Without an obstacle
+//    fronts are made by a traction that jumps in the run or at its start (where
+//    u_x - a theta is not the traction), by the velocity of the fixed end, and
+//    by initial values that jump, but not by inputs that bend or begin like
+//    t^2. A mass m on the end swings on a stop, also on a damped one, with a
+//    wave of 2 pi (eps m/b)^(1/2): 1.4 and, for m = 0.03, 0.243 with eps =
+//    0.05. Masses alone have no waves, and no impacts where all contacts give
+//    way.
 // 2. A second choice on top of the first changes nothing.
 // 3. An obstacle at g = -V t meets a rod at rest, b = 1, zeta = 0: the force is
 //    V until the wave returns at t = 2, the impulse V t. On any number of
@@ -231,6 +232,7 @@ main_automatic_scheme()
   choose("heat alone", {"Model/Fields=temperature"});
   choose("rigid", elastic);
   choose("tolerance 1e-4", elastic + Overrides{"Time/Tolerance=1e-4"});
+  choose("tolerance 1e-9", elastic + Overrides{"Time/Tolerance=1e-9"});
   choose("tolerance 0.1", elastic + Overrides{"Time/Tolerance=0.1"});
   choose("12 cells", elastic + Overrides{"Mesh/Cells=12"});
   choose("degree 1", elastic + Overrides{"Mesh/Degree=1"});

@@ -218,6 +218,15 @@ namespace ThermoContact
     inline constexpr double drift_of_waves = 1e-2;
 
     /**
+     * A front overshoots by this part of its jump for each cell by which the
+     * shortest waves stay behind it, measured up to a quarter of a cell, and at
+     * most by the other one, the largest value of the integral of Airy's
+     * function less 1.
+     */
+    inline constexpr double overshoot_of_drift  = 0.14;
+    inline constexpr double overshoot_of_fronts = 0.2743;
+
+    /**
      * Nodes of a mesh in the length of a front from which on the peak force is
      * right to about 1e-3, measured.
      */

@@ -70,6 +70,11 @@ namespace ThermoContact
   unsigned int
   cells_of_tolerance(const double tolerance);
 
+  /** True if initial values, a traction or the fixed end of a rod make fronts,
+   * without an obstacle. */
+  bool
+  has_fronts_of_data(const Parameters &parameters);
+
   /**
    * The viscosity does not damp the oscillations of a contact node with mass
    * between its neighbour and its obstacle, (C1.2): a mass $bw$, $w$ the length

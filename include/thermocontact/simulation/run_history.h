@@ -66,6 +66,18 @@ namespace ThermoContact
     double
     peak_penetration() const;
 
+    /** SampledPeak::change_beside() of the contacts with the largest force and
+     * penetration. */
+    double
+    change_beside_force() const;
+
+    double
+    change_beside_penetration() const;
+
+    /** Where steps end at the largest force; 0 without contact. */
+    double
+    time_of_largest_force() const;
+
     /** Warnings for the user although the run goes on. */
     std::vector<std::string> warnings;
 

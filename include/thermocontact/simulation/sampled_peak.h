@@ -5,7 +5,10 @@
 
 #include <thermocontact/base/special_numbers.h>
 
+#include <boost/serialization/array.hpp>
+
 #include <algorithm>
+#include <array>
 
 namespace ThermoContact
 {
@@ -36,6 +39,13 @@ namespace ThermoContact
       return std::max(largest, of_cubics);
     }
 
+    /** Of the largest of all values, the last one of several. */
+    double
+    time_of_largest() const
+    {
+      return time;
+    }
+
     /** Not below it. */
     double
     estimate() const
@@ -43,12 +53,22 @@ namespace ThermoContact
       return std::max({of_parabola, of_cubics, of_kinks});
     }
 
+    /**
+     * How much a quantity that jumps or has a cusp next to its largest value
+     * goes on in a step beside it. Of the steps there, before it or behind it,
+     * the one of least change counts, since the jump itself takes two of them,
+     * and there may be another one; steps from or to values that are not
+     * positive do not.
+     */
+    double
+    change_beside() const;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &before &last &now &n_samples &largest &of_parabola &of_cubics
-        &of_kinks;
+      archive &before &last &now &n_samples &largest &time &of_parabola
+        &of_cubics &of_kinks &recent &in_front &behind &n_behind;
     }
 
   private:
@@ -69,9 +89,17 @@ namespace ThermoContact
     Sample       before, last, now;
     unsigned int n_samples   = 0;
     double       largest     = 0.;
+    double       time        = 0.; ///< of it
     double       of_parabola = 0.; ///< not below the largest
     double       of_cubics   = 0.; ///< of steps without a kink
     double       of_kinks    = 0.; ///< of cubics of the other steps
+
+    static constexpr unsigned int n_beside = 4;
+
+    /** The last values, and, behind the largest one, those at its sides. */
+    std::array<double, n_beside> recent{}, behind{};
+    std::array<double, n_beside> in_front{};
+    unsigned int                 n_behind = 0;
 
     /** Of the parabola through all three samples. */
     double

@@ -6,7 +6,7 @@
 #include <thermocontact/contact/event_locator.h>
 #include <thermocontact/rod/rod_matrices.h>
 #include <thermocontact/scene/scene.h>
-#include <thermocontact/simulation/measurements.h>
+#include <thermocontact/simulation/run_history.h>
 #include <thermocontact/space/discretization.h>
 
 #include <array>
@@ -198,12 +198,21 @@ namespace ThermoContact
                            const std::vector<ContactEvent> &events);
 
   /**
+   * Part of its jump by which a front overshoots at the largest force for the
+   * drift of the shortest waves, since the first contact or since the start if
+   * data make fronts: an estimate from above. 0 of schemes other than that
+   * without dispersion.
+   */
+  double
+  overshoot_of_fronts(const Scene &scene, const RunHistory &history);
+
+  /**
    * Why, and what to do about it: the only place where a run says so. Empty
-   * where the largest force is not that of the mesh.
+   * where the largest force is not that of the mesh, and no front overshoots by
+   * more than a percent.
    */
   std::string
-  warning_of_largest_force(const Scene                     &scene,
-                           const std::vector<ContactEvent> &events);
+  warning_of_largest_force(const Scene &scene, const RunHistory &history);
 } // namespace ThermoContact
 
 #endif
