@@ -32,7 +32,12 @@
 //    time over eps, until (1 + y) exp(-y) = 1/2, y = 1.678, impulse 0.949 eps.
 //    Together 1 - 0.051 eps, which the mesh does not see: it is within the time
 //    eps.
-// 6. The same with b = 4, thrown with x/2 for twice the time: the same rod in
+// 6. A rod whose last 203.5/640 fly with 1 at a spring, eps = 0.3, gap 0: s' =
+// 1
+//    - s/eps until what rests arrives in the middle of a step, largest force 1
+//    - exp(-203.5/(640 eps)). The steps of both repeats end at the end of that
+//    one, so that all three miss the same.
+// 7. That of 4 with b = 4, thrown with x/2 for twice the time: the same rod in
 //    another unit of time. Bars of displacements and forces are the same, to
 //    1e-6 of them, those of times and impulses twice as large.
 
@@ -215,5 +220,12 @@ main_box_bars()
          "Initial values/Velocity=x",
          "Time/End time=4.6"},
         {{"contact_impulse", 1. - 0.051e-4}});
+  const double flying = 203.5 / 640.;
+  check("cusp",
+        {"Contact/Compliance=0.3",
+         "Initial values/Velocity=if(x>" + significant(1. - flying, 16) +
+           ",1,0)",
+         "Time/End time=0.8"},
+        {{"max_contact_force", 1. - std::exp(-flying / 0.3)}});
   check_unit_of_time();
 }
