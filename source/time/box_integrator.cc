@@ -149,6 +149,53 @@ namespace ThermoContact
 
 
   void
+  BoxIntegrator::set_load_times(const TimeStep &time_step)
+  {
+    const double first = time_step.first_loads, last = time_step.last_loads;
+    if (n_heat_stages == 0)
+      load_times[0].assign(1, {first + 0.5 * (last - first), 1.});
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      {
+        heat_times[i] = first + HeatStages::times[i] * (last - first);
+        load_times[i].assign(1, {heat_times[i], 1.});
+      }
+    if (time_step.breaks.empty())
+      return;
+
+    // the rule of the step in each of its pieces
+    MeanOfTimes &mean = load_times[0];
+    mean.clear();
+    const auto add_piece =
+      [&](const double begin, const double end, const double length) {
+        const double part = length / (last - first);
+        if (n_heat_stages == 0)
+          mean.push_back({begin + 0.5 * (end - begin), part});
+        for (unsigned int i = 0; i < n_heat_stages; ++i)
+          mean.push_back({begin + HeatStages::times[i] * (end - begin),
+                          part * HeatStages::weights[i]});
+      };
+    double begin = first, old_break = first;
+    for (const LoadBreak &at : time_step.breaks)
+      {
+        add_piece(begin, at.old_time, at.time - old_break);
+        begin     = at.new_time;
+        old_break = at.time;
+      }
+    add_piece(begin, last, last - old_break);
+    if (n_heat_stages == 0)
+      return;
+    // the last stage has the loads at the end of the step, the first one what
+    // their mean needs beside them
+    const double first_weight = HeatStages::weights.front();
+    for (WeightedTime &at : mean)
+      at.weight /= first_weight;
+    mean.push_back(
+      {heat_times.back(), -HeatStages::weights.back() / first_weight});
+  }
+
+
+
+  void
   BoxIntegrator::set_loads(const State &state, const TimeStep &time_step)
   {
     const Scene &scene = body.scene;
@@ -156,14 +203,14 @@ namespace ThermoContact
       return time_step.first_loads +
              part * (time_step.last_loads - time_step.first_loads);
     };
+    set_load_times(time_step);
     if (n_heat_stages == 0)
-      body.loads.assemble(time(0.5), heat_lift, momentum_load);
+      body.loads.assemble(load_times[0], heat_lift, momentum_load);
     else
       set_zero(momentum_load);
     for (unsigned int i = 0; i < n_heat_stages; ++i)
       {
-        heat_times[i] = time(HeatStages::times[i]);
-        body.loads.assemble(heat_times[i], heat_load[i], stage_momentum_load);
+        body.loads.assemble(load_times[i], heat_load[i], stage_momentum_load);
         set_sum(momentum_load,
                 momentum_load,
                 HeatStages::weights[i],
@@ -1170,8 +1217,6 @@ namespace ThermoContact
                       StepResult                    &result)
   {
     set_equal(stage.velocity, rates.velocity);
-    stage.load_time =
-      present.first_loads + 0.5 * (present.last_loads - present.first_loads);
     for (unsigned int c = 0; c < ends.size(); ++c)
       {
         stage.contact.pressure[c] = ends[c].contact.pressure;
@@ -1193,15 +1238,18 @@ namespace ThermoContact
 
     result.add_impulse(size, stage.contact.pressure, body);
     result.work += size * body.energy.obstacle_power(stage) + work_of_impacts;
-    const auto add =
-      [&](const double weight, const Vector &heat, const Vector &heating) {
-        result.add_dissipation(size * weight, stage, body);
-        result.add_work(size * weight,
-                        {stage, heating, acceleration, heat, momentum_load},
-                        body);
-      };
+    const auto add = [&](const double       weight,
+                         const Vector      &heat,
+                         const Vector      &heating,
+                         const MeanOfTimes &times) {
+      result.add_dissipation(size * weight, stage, body);
+      result.add_work(
+        size * weight,
+        {stage, heating, acceleration, heat, momentum_load, &times},
+        body);
+    };
     if (n_heat_stages == 0)
-      add(1., heat_lift, heat_lift);
+      add(1., heat_lift, heat_lift, load_times[0]);
     for (unsigned int i = 0; i < n_heat_stages; ++i)
       {
         set_equal(stage.temperature, state.temperature);
@@ -1212,7 +1260,10 @@ namespace ThermoContact
         if (!body.scene.heat.exchange->is_in_matrices())
           for (unsigned int c = 0; c < ends.size(); ++c)
             stage.contact.exchange_coefficient[c] = ends[c].coefficient[i];
-        add(HeatStages::weights[i], heat_load[i], rates.temperature_rate[i]);
+        add(HeatStages::weights[i],
+            heat_load[i],
+            rates.temperature_rate[i],
+            load_times[i]);
       }
   }
 } // namespace ThermoContact
