@@ -140,6 +140,8 @@ namespace ThermoContact
                  side,
                  c});
       }
+    if (body.law().is_active() && contacts.size() > 1)
+      begin_with_causes(state, result.contact_changes);
     result.start_sums();
     book(state, size, ends, result);
     result.energy = body.energy.energy(result.state);
@@ -1178,6 +1180,36 @@ namespace ThermoContact
                              side * std::max(0., side * behind_break) :
                              state.contact.pressure[c];
     return at(stopped / (stopped - stopping), leaving);
+  }
+
+
+
+  void
+  BoxIntegrator::begin_with_causes(
+    const State                               &state,
+    std::vector<std::optional<ContactChange>> &changes) const
+  {
+    const auto share_mass = [&](const unsigned int c, const unsigned int d) {
+      for (const ContactSide &of_c : contacts[c].sides)
+        for (const ContactSide &of_d : contacts[d].sides)
+          if (of_c.is_mass() && of_d.is_mass() && of_c.node == of_d.node)
+            return true;
+      return false;
+    };
+    const auto waits = [&](const unsigned int c) {
+      return changes[c] && changes[c]->time == state.time &&
+             state.contact.pressure[c] == 0. && paths[c].front == 0. &&
+             velocity_of(c, state) - state.gap_rate[c] <=
+               paths[c].negligible_velocity;
+    };
+    const auto begin_with = [&](const unsigned int c, const unsigned int d) {
+      if (waits(c) && changes[d] && share_mass(c, d))
+        changes[c]->time = changes[d]->time;
+    };
+    for (unsigned int c = 1; c < contacts.size(); ++c)
+      begin_with(c, c - 1);
+    for (unsigned int c = contacts.size() - 1; c-- > 0;)
+      begin_with(c, c + 1);
   }
 
 

@@ -24,6 +24,11 @@
 //    0.01444 at t = 1.5.
 // 6. 1 to 5 with heat, a = 0. Heat of 1 from t0 on, by a source in an insulated
 //    rod, or through its right end: mean temperature t - t0, 0.88 at t = 1.
+// 7. Two masses 1 in front of a clamped rod. The first one comes with the
+//    velocity 1 over a gap of 0.0375 to the second one, which is beside the
+//    rod: both contacts begin at 0.0375, in the first step, to 1e-11: they are
+//    soft, so that the second one hardly moves its mass in this step (measured:
+//    9e-14).
 
 #include <array>
 #include <cmath>
@@ -160,6 +165,32 @@ namespace
           0.01444);
   }
 
+
+
+  void
+  check_masses()
+  {
+    const RecordedRun result =
+      run<1>("",
+             Overrides{"Time/Scheme=box",
+                       "Model/Fields=displacement",
+                       "Model/Viscosity=0",
+                       "Mesh/Cells=20",
+                       "Boundary/left/Support=free",
+                       "Boundary/right/Support=clamped",
+                       "Contact/Compliance=100",
+                       "Contacts/a b/Gap=0.0375",
+                       "Contacts/b c/Gap=0",
+                       "Time/End time=0.1"} +
+               body("a", {"Kind=mass", "Mass=1", "Velocity=1"}) +
+               body("b", {"Kind=mass", "Mass=1"}) + body("c", {"Length=1"}));
+    double time = 0.;
+    for (const ContactEvent &event : result.events)
+      raise(time, std::abs(event.time - 0.0375));
+    deallog << "masses: " << result.events.size() << " contacts begin "
+            << within(time, 1e-11) << std::endl;
+  }
+
 } // namespace
 
 
@@ -178,4 +209,5 @@ main_box_jumps()
       true,
       [](const RecordedRun &r) { return r.rows.back().temperature_mean; },
       0.88);
+  check_masses();
 }

@@ -326,6 +326,13 @@ namespace ThermoContact
                    const EndContact  &end,
                    const State       &new_state) const;
 
+    /** Bodies at rest side by side, of which a mass is pushed within the step
+     * by a contact on its other side, meet when that one changes and not at the
+     * start of the step. */
+    void
+    begin_with_causes(const State                               &state,
+                      std::vector<std::optional<ContactChange>> &changes) const;
+
     /** Work and dissipation. */
     void
     book(const State                   &state,
