@@ -433,10 +433,13 @@ namespace ThermoContact
     path.front_rate = (obstacle.gap[c] - state.gap[c]) / size;
     path.rear = start(contact.law_at(c, -1), -u - contact.rear_gap_at(c), -p);
     // bodies that rest side by side do not meet by the rounding of waves
+    // and of their places
     path.negligible_velocity =
       (body.scene.row.is_given() ? Tolerances::rounding_of_fronts :
                                    Tolerances::rounding_of_solution) *
-      rates.velocity.linfty_norm();
+        rates.velocity.linfty_norm() +
+      Tolerances::rounding_of_solution * state.displacement.linfty_norm() /
+        size;
     return path;
   }
 

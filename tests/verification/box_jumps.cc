@@ -29,6 +29,10 @@
 //    rod: both contacts begin at 0.0375, in the first step, to 1e-11: they are
 //    soft, so that the second one hardly moves its mass in this step (measured:
 //    9e-14).
+// 8. A pulse of 1/10 from t0 to 0.52 on a dashpot that takes all waves, Z = 1,
+//    linear obstacle, eps = 0.02, 40 cells: s' = 0.2 - s/eps, then -s/eps, so
+//    that the end comes to rest on the obstacle, by rounding before t = 5, and
+//    contact begins once.
 
 #include <array>
 #include <cmath>
@@ -191,6 +195,31 @@ namespace
             << within(time, 1e-11) << std::endl;
   }
 
+
+
+  void
+  check_rest()
+  {
+    const auto runs = runs_of_spellings(
+      {"Boundary/left/Dashpot=1",
+       "Boundary/left/Traction=if(t@0.12,0,if(t@0.52,-0.1,0))",
+       "Contact/Compliance=0.02",
+       "Contact/Gap=0.03",
+       "Mesh/Cells=40",
+       "Time/End time=5"},
+      false);
+    for (const RecordedRun &result : runs)
+      {
+        unsigned int n_begins = 0;
+        for (const ContactEvent &event : result.events)
+          n_begins += event.kind == ContactEvent::begin;
+        deallog << "comes to rest: contact begins " << n_begins
+                << ", beside the obstacle by "
+                << within(std::abs(result.rows.back().displacement_end - 0.03),
+                          1e-12)
+                << std::endl;
+      }
+  }
 } // namespace
 
 
@@ -210,4 +239,5 @@ main_box_jumps()
       [](const RecordedRun &r) { return r.rows.back().temperature_mean; },
       0.88);
   check_masses();
+  check_rest();
 }
