@@ -197,6 +197,20 @@ namespace ThermoContact
 
 
 
+  std::vector<LoadBreak>
+  LoadHistory::breaks_within(const double begin, const double end) const
+  {
+    std::vector<LoadBreak> within;
+    for (auto b = first_after(breaks, begin);
+         b != breaks.end() && b->time < end;
+         ++b)
+      if (!are_same_time(b->time, begin) && !are_same_time(b->time, end))
+        within.push_back(*b);
+    return within;
+  }
+
+
+
   double
   LoadHistory::largest_step(const double time, const double size) const
   {

@@ -136,11 +136,12 @@ namespace ThermoContact
 
   template <int dim>
   BoundarySums
-  BoundaryFlows<dim>::rates(const State  &state,
-                            const Vector &temperature_rate,
-                            const Vector &acceleration,
-                            const Vector &heat_load,
-                            const Vector &momentum_load)
+  BoundaryFlows<dim>::rates(const State             &state,
+                            const Vector            &temperature_rate,
+                            const Vector            &acceleration,
+                            const Vector            &heat_load,
+                            const Vector            &momentum_load,
+                            const MeanOfTimes *const load_times)
   {
     const bool   has_heat    = scene.fields.has_temperature;
     const bool   has_motion  = scene.fields.has_displacement;
@@ -159,10 +160,16 @@ namespace ThermoContact
                                   momentum_residual);
     for (const End &end : ends)
       {
-        loads.assemble_end(end.part,
-                           state.load_time,
-                           heat_of_end,
-                           momentum_of_end);
+        if (load_times != nullptr)
+          loads.assemble_end(end.part,
+                             *load_times,
+                             heat_of_end,
+                             momentum_of_end);
+        else
+          loads.assemble_end(end.part,
+                             state.load_time,
+                             heat_of_end,
+                             momentum_of_end);
         if (has_heat)
           {
             const Vector &weights = end.weights[Field::temperature];

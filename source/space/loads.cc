@@ -143,6 +143,43 @@ namespace ThermoContact
 
 
   template <int dim>
+  template <typename At>
+  void
+  Loads<dim>::add_up(const MeanOfTimes &times,
+                     const At          &at,
+                     Vector            &heat,
+                     Vector            &momentum) const
+  {
+    at(times.front().time, heat, momentum);
+    if (times.size() == 1 || is_steady)
+      return;
+    heat *= times.front().weight;
+    momentum *= times.front().weight;
+    Vector heat_then(heat), momentum_then(momentum);
+    for (unsigned int i = 1; i < times.size(); ++i)
+      {
+        at(times[i].time, heat_then, momentum_then);
+        heat.add(times[i].weight, heat_then);
+        momentum.add(times[i].weight, momentum_then);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::assemble(const MeanOfTimes &times, Vector &heat, Vector &momentum)
+  {
+    add_up(
+      times,
+      [this](const double time, Vector &h, Vector &m) { assemble(time, h, m); },
+      heat,
+      momentum);
+  }
+
+
+
+  template <int dim>
   double
   Loads<dim>::sum_over_end(const Function<dim> &load) const
   {
@@ -221,6 +258,24 @@ namespace ThermoContact
     add_sources(Field::displacement, momentum);
     if (part == contact_boundary_id)
       add_end_traction(momentum);
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::assemble_end(const types::boundary_id part,
+                           const MeanOfTimes       &times,
+                           Vector                  &heat,
+                           Vector                  &momentum)
+  {
+    add_up(
+      times,
+      [&](const double time, Vector &h, Vector &m) {
+        assemble_end(part, time, h, m);
+      },
+      heat,
+      momentum);
   }
 
 

@@ -140,10 +140,59 @@ namespace ThermoContact
                  side,
                  c});
       }
+    if (body.law().is_active() && contacts.size() > 1)
+      begin_with_causes(state, result.contact_changes);
     result.start_sums();
     book(state, size, ends, result);
     result.energy = body.energy.energy(result.state);
     result.close_balance();
+  }
+
+
+
+  void
+  BoxIntegrator::set_load_times(const TimeStep &time_step)
+  {
+    const double first = time_step.first_loads, last = time_step.last_loads;
+    if (n_heat_stages == 0)
+      load_times[0].assign(1, {first + 0.5 * (last - first), 1.});
+    for (unsigned int i = 0; i < n_heat_stages; ++i)
+      {
+        heat_times[i] = first + HeatStages::times[i] * (last - first);
+        load_times[i].assign(1, {heat_times[i], 1.});
+      }
+    if (time_step.breaks.empty())
+      return;
+
+    // the rule of the step in each of its pieces
+    MeanOfTimes &mean = load_times[0];
+    mean.clear();
+    const auto add_piece =
+      [&](const double begin, const double end, const double length) {
+        const double part = length / (last - first);
+        if (n_heat_stages == 0)
+          mean.push_back({begin + 0.5 * (end - begin), part});
+        for (unsigned int i = 0; i < n_heat_stages; ++i)
+          mean.push_back({begin + HeatStages::times[i] * (end - begin),
+                          part * HeatStages::weights[i]});
+      };
+    double begin = first, old_break = first;
+    for (const LoadBreak &at : time_step.breaks)
+      {
+        add_piece(begin, at.old_time, at.time - old_break);
+        begin     = at.new_time;
+        old_break = at.time;
+      }
+    add_piece(begin, last, last - old_break);
+    if (n_heat_stages == 0)
+      return;
+    // the last stage has the loads at the end of the step, the first one what
+    // their mean needs beside them
+    const double first_weight = HeatStages::weights.front();
+    for (WeightedTime &at : mean)
+      at.weight /= first_weight;
+    mean.push_back(
+      {heat_times.back(), -HeatStages::weights.back() / first_weight});
   }
 
 
@@ -156,14 +205,14 @@ namespace ThermoContact
       return time_step.first_loads +
              part * (time_step.last_loads - time_step.first_loads);
     };
+    set_load_times(time_step);
     if (n_heat_stages == 0)
-      body.loads.assemble(time(0.5), heat_lift, momentum_load);
+      body.loads.assemble(load_times[0], heat_lift, momentum_load);
     else
       set_zero(momentum_load);
     for (unsigned int i = 0; i < n_heat_stages; ++i)
       {
-        heat_times[i] = time(HeatStages::times[i]);
-        body.loads.assemble(heat_times[i], heat_load[i], stage_momentum_load);
+        body.loads.assemble(load_times[i], heat_load[i], stage_momentum_load);
         set_sum(momentum_load,
                 momentum_load,
                 HeatStages::weights[i],
@@ -384,8 +433,11 @@ namespace ThermoContact
     path.front_rate = (obstacle.gap[c] - state.gap[c]) / size;
     path.rear = start(contact.law_at(c, -1), -u - contact.rear_gap_at(c), -p);
     // bodies that rest side by side do not meet by the rounding of waves
+    // and of their places
     path.negligible_velocity =
-      Tolerances::rounding_of_fronts * rates.velocity.linfty_norm();
+      Tolerances::rounding_of_fronts * rates.velocity.linfty_norm() +
+      Tolerances::rounding_of_solution * state.displacement.linfty_norm() /
+        size;
     return path;
   }
 
@@ -1134,6 +1186,36 @@ namespace ThermoContact
 
 
   void
+  BoxIntegrator::begin_with_causes(
+    const State                               &state,
+    std::vector<std::optional<ContactChange>> &changes) const
+  {
+    const auto share_mass = [&](const unsigned int c, const unsigned int d) {
+      for (const ContactSide &of_c : contacts[c].sides)
+        for (const ContactSide &of_d : contacts[d].sides)
+          if (of_c.is_mass() && of_d.is_mass() && of_c.node == of_d.node)
+            return true;
+      return false;
+    };
+    const auto waits = [&](const unsigned int c) {
+      return changes[c] && changes[c]->time == state.time &&
+             state.contact.pressure[c] == 0. && paths[c].front == 0. &&
+             velocity_of(c, state) - state.gap_rate[c] <=
+               paths[c].negligible_velocity;
+    };
+    const auto begin_with = [&](const unsigned int c, const unsigned int d) {
+      if (waits(c) && changes[d] && share_mass(c, d))
+        changes[c]->time = changes[d]->time;
+    };
+    for (unsigned int c = 1; c < contacts.size(); ++c)
+      begin_with(c, c - 1);
+    for (unsigned int c = contacts.size() - 1; c-- > 0;)
+      begin_with(c, c + 1);
+  }
+
+
+
+  void
   BoxIntegrator::advance_velocity(const double size,
                                   const State &state,
                                   Vector      &velocity)
@@ -1168,8 +1250,6 @@ namespace ThermoContact
                       StepResult                    &result)
   {
     set_equal(stage.velocity, rates.velocity);
-    stage.load_time =
-      present.first_loads + 0.5 * (present.last_loads - present.first_loads);
     for (unsigned int c = 0; c < ends.size(); ++c)
       {
         stage.contact.pressure[c] = ends[c].contact.pressure;
@@ -1191,15 +1271,18 @@ namespace ThermoContact
 
     result.add_impulse(size, stage.contact.pressure, body);
     result.work += size * body.energy.obstacle_power(stage) + work_of_impacts;
-    const auto add =
-      [&](const double weight, const Vector &heat, const Vector &heating) {
-        result.add_dissipation(size * weight, stage, body);
-        result.add_work(size * weight,
-                        {stage, heating, acceleration, heat, momentum_load},
-                        body);
-      };
+    const auto add = [&](const double       weight,
+                         const Vector      &heat,
+                         const Vector      &heating,
+                         const MeanOfTimes &times) {
+      result.add_dissipation(size * weight, stage, body);
+      result.add_work(
+        size * weight,
+        {stage, heating, acceleration, heat, momentum_load, &times},
+        body);
+    };
     if (n_heat_stages == 0)
-      add(1., heat_lift, heat_lift);
+      add(1., heat_lift, heat_lift, load_times[0]);
     for (unsigned int i = 0; i < n_heat_stages; ++i)
       {
         set_equal(stage.temperature, state.temperature);
@@ -1210,7 +1293,10 @@ namespace ThermoContact
         if (!body.scene.heat.exchange->is_in_matrices())
           for (unsigned int c = 0; c < ends.size(); ++c)
             stage.contact.exchange_coefficient[c] = ends[c].coefficient[i];
-        add(HeatStages::weights[i], heat_load[i], rates.temperature_rate[i]);
+        add(HeatStages::weights[i],
+            heat_load[i],
+            rates.temperature_rate[i],
+            load_times[i]);
       }
   }
 } // namespace ThermoContact

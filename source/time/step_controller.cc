@@ -202,6 +202,7 @@ namespace ThermoContact
     step.begins_at_break   = begin != nullptr;
     step.first_loads       = begin == nullptr ? time : begin->new_time;
     step.last_loads        = end == nullptr ? step.end : end->old_time;
+    step.breaks            = loads.breaks_within(time, step.end);
   }
 
 

@@ -103,6 +103,10 @@ namespace ThermoContact
     const LoadBreak *
     break_at(const double time) const;
 
+    /** The breaks between these times, but for those at one of them. */
+    std::vector<LoadBreak>
+    breaks_within(const double begin, const double end) const;
+
     /**
      * The largest step from @p time on, not above @p size, that is no longer
      * than the widths of the stretches that it crosses.

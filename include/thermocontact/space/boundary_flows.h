@@ -99,13 +99,15 @@ namespace ThermoContact
      * @param state with the time of its loads
      * @param temperature_rate,acceleration $\theta'$ and $v'$
      * @param heat_load,momentum_load loads of the equations
+     * @param load_times of which they are the mean; null: of the state
      */
     BoundarySums
-    rates(const State  &state,
-          const Vector &temperature_rate,
-          const Vector &acceleration,
-          const Vector &heat_load,
-          const Vector &momentum_load);
+    rates(const State             &state,
+          const Vector            &temperature_rate,
+          const Vector            &acceleration,
+          const Vector            &heat_load,
+          const Vector            &momentum_load,
+          const MeanOfTimes *const load_times = nullptr);
 
     /**
      * What a jump at one time does: the heat that comes with the temperature of

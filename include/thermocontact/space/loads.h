@@ -21,6 +21,21 @@
 
 namespace ThermoContact
 {
+  /** A time whose loads are a part of a mean, with its weight. */
+  struct WeightedTime
+  {
+    double time;
+    double weight;
+  };
+
+
+
+  /** The times of a mean of loads. Their weights add up to 1; one is negative
+   * where a rule asks for it. */
+  using MeanOfTimes = std::vector<WeightedTime>;
+
+
+
   /**
    * The loads of the semidiscrete equations, doc/discretisation.md (D1.1),
    * (D1.2):
@@ -65,10 +80,21 @@ namespace ThermoContact
     void
     assemble(const double time, Vector &heat, Vector &momentum);
 
+    /** The mean of both loads. */
+    void
+    assemble(const MeanOfTimes &times, Vector &heat, Vector &momentum);
+
     /** The part of both loads that acts on one end, without outer_heat(). */
     void
     assemble_end(const types::boundary_id part,
                  const double             time,
+                 Vector                  &heat,
+                 Vector                  &momentum);
+
+    /** Its mean. */
+    void
+    assemble_end(const types::boundary_id part,
+                 const MeanOfTimes       &times,
                  Vector                  &heat,
                  Vector                  &momentum);
 
@@ -148,6 +174,14 @@ namespace ThermoContact
     /** Adds what acts on an end, but for the traction at contact nodes. */
     void
     integrate_end(const types::boundary_id part);
+
+    /** The mean of loads that @p at assembles at a time. */
+    template <typename At>
+    void
+    add_up(const MeanOfTimes &times,
+           const At          &at,
+           Vector            &heat,
+           Vector            &momentum) const;
 
     /** Integral over the contact end, of the axial component. */
     double

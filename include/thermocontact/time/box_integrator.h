@@ -99,7 +99,11 @@ namespace ThermoContact
     Vector                            momentum_load; ///< mean of the step
     Vector                            stage_momentum_load;
 
-    std::array<double, HeatStages::n> heat_times; ///< of their loads
+    std::array<double, HeatStages::n> heat_times; ///< of the stages
+
+    /** The loads of the stages are means over these times; without heat the
+     * first one is that of the step. */
+    std::array<MeanOfTimes, HeatStages::n> load_times;
 
     TimeStep present; ///< the step
 
@@ -169,6 +173,14 @@ namespace ThermoContact
 
       Releases releases;
     };
+
+    /**
+     * The times of the loads of a step. Between breaks within it the rule of
+     * the step is applied to each piece; their sum, weighted by lengths, is the
+     * mean of the momentum loads and of the heat.
+     */
+    void
+    set_load_times(const TimeStep &time_step);
 
     /** Loads and motions of a step. */
     void
@@ -313,6 +325,13 @@ namespace ThermoContact
                    const StepPath    &path,
                    const EndContact  &end,
                    const State       &new_state) const;
+
+    /** Bodies at rest side by side, of which a mass is pushed within the step
+     * by a contact on its other side, meet when that one changes and not at the
+     * start of the step. */
+    void
+    begin_with_causes(const State                               &state,
+                      std::vector<std::optional<ContactChange>> &changes) const;
 
     /** Work and dissipation. */
     void

@@ -66,6 +66,9 @@ namespace ThermoContact
     double first_loads = 0., last_loads = 0.;
 
     bool begins_at_break = false; ///< of a load
+
+    /** Breaks of loads within the step, where it does not have to end. */
+    std::vector<LoadBreak> breaks = {};
   };
 
 

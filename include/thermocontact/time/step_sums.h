@@ -19,6 +19,9 @@ namespace ThermoContact
     const Vector &acceleration;     ///< $v'$
     const Vector &heat_load;        ///< without the motion of a driven end
     const Vector &momentum_load;    ///< likewise
+
+    /** Times of which the loads are the mean; null: that of the state. */
+    const MeanOfTimes *load_times = nullptr;
   };
 
 
@@ -121,7 +124,8 @@ namespace ThermoContact
                                                  at.temperature_rate,
                                                  at.acceleration,
                                                  at.heat_load,
-                                                 at.momentum_load));
+                                                 at.momentum_load,
+                                                 at.load_times));
     }
 
     /** Adds impulse, work and dissipation of the obstacle. Collective. */
