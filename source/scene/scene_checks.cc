@@ -1226,25 +1226,12 @@ namespace ThermoContact
 
 
 
-    /** Cells by which the shortest waves stay behind in a run, where they pass
-     * a cell in another time than a step. */
+    /** Part of a cell by which the shortest waves stay behind in a step, if
+     * they pass a cell in another time. */
     double
-    drift(const double passage, const TimeParameters &time)
+    delay(const double passage, const TimeParameters &time)
     {
-      return std::abs(*time.step_size / passage - 1.) * time.n_steps();
-    }
-
-
-
-    /** The largest one in a rod of a row. */
-    double
-    drift_in_rod(const Scene &scene, const BodyParameters &rod)
-    {
-      double largest = 0.;
-      if (!rod.is_mass())
-        for (const double passage : passages_of_cells(scene.parameters, rod))
-          largest = std::max(largest, drift(passage, scene.parameters.time));
-      return largest;
+      return std::abs(*time.step_size / passage - 1.);
     }
 
 
@@ -1262,7 +1249,8 @@ namespace ThermoContact
       for (const BodyParameters &body : parameters.row.bodies)
         if (!body.is_mass())
           for (const double passage : passages_of_cells(parameters, body))
-            if (drift(passage, parameters.time) > Tolerances::drift_of_waves)
+            if (delay(passage, parameters.time) * parameters.time.n_steps() >
+                Tolerances::drift_of_waves)
               {
                 others.push_back(body.name + " (" +
                                  units.text("time", passage) + ")");
@@ -1281,41 +1269,33 @@ namespace ThermoContact
 
 
 
+    /** The largest delay() in a rod. */
     double
-    drift_of_passages(const Scene &scene)
+    delay_by_passages(const Scene &scene)
     {
       const Parameters &parameters = scene.parameters;
       if (!scene.has_midpoint_mass || !parameters.time.step_size)
         return 0.;
       if (!parameters.has_row())
-        return drift(passage_without_row(scene), parameters.time);
+        return delay(passage_without_row(scene), parameters.time);
       double largest = 0.;
       for (const BodyParameters &body : parameters.row.bodies)
-        largest = std::max(largest, drift_in_rod(scene, body));
+        if (!body.is_mass())
+          for (const double passage : passages_of_cells(parameters, body))
+            largest = std::max(largest, delay(passage, parameters.time));
       return largest;
-    }
-
-
-
-    /** False if it is that of sizes that are meant to be the same. */
-    bool
-    has_drift(const Scene &scene, const double cells)
-    {
-      return cells > 0. && cells > Tolerances::same_step_size *
-                                     scene.parameters.time.n_steps();
     }
   } // namespace
 
 
 
   double
-  drift_of_shortest_waves(const Scene &scene)
+  delay_of_shortest_waves(const Scene &scene)
   {
-    if (!scene.scheme.has_no_dispersion)
-      return 0.;
-    return drift_of_passages(scene) +
-           (std::sqrt(1. + scene.material.stiffness_by_heat()) - 1.) *
-             scene.parameters.time.n_steps();
+    return !scene.scheme.has_no_dispersion ?
+             0. :
+             delay_by_passages(scene) +
+               std::sqrt(1. + scene.material.stiffness_by_heat()) - 1.;
   }
 
 
@@ -1323,7 +1303,7 @@ namespace ThermoContact
   bool
   has_dispersion(const Scene &scene)
   {
-    return has_drift(scene, drift_of_shortest_waves(scene));
+    return delay_of_shortest_waves(scene) > Tolerances::same_step_size;
   }
 
 
@@ -1337,7 +1317,7 @@ namespace ThermoContact
     const double           passage = passage_without_row(scene);
     const QuantityUnits    units(scene.parameters);
     constexpr unsigned int digits = 12; // sizes may differ by less than show
-    return !has_drift(scene, drift_of_passages(scene)) ?
+    return !(delay_by_passages(scene) > Tolerances::same_step_size) ?
              "" :
              text("Time/Step size = ",
                   units.text("time", *size, digits),

@@ -427,15 +427,16 @@ namespace ThermoContact
   double
   overshoot_of_fronts(const Scene &scene, const RunHistory &history)
   {
-    const double drift = drift_of_shortest_waves(scene);
-    if (drift == 0. || history.events.empty())
+    const double delay = delay_of_shortest_waves(scene);
+    if (delay == 0. || history.events.empty())
       return 0.;
     const double begin =
       has_fronts_of_data(scene.parameters) ? 0. : history.events.front().time;
-    const double way = std::max(0., history.time_of_largest_force() - begin) /
-                       scene.parameters.time.end_time;
+    const double n_steps =
+      std::max(0., history.time_of_largest_force() - begin) /
+      *scene.parameters.time.step_size;
     return std::min(Tolerances::overshoot_of_fronts,
-                    Tolerances::overshoot_of_drift * drift * way);
+                    Tolerances::overshoot_of_drift * delay * n_steps);
   }
 
 

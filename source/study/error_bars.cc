@@ -152,8 +152,9 @@ namespace ThermoContact
      * Errors of the scheme without dispersion that meshes may all have alike,
      * (D9.5), since steps of all of them end at the same times: a front
      * hides what the force does beside it, as it did before or does behind, and
-     * overshoots by drift; a rigid obstacle lets go at the end of a step, half
-     * of one early or late, and a hard one in the time in which it gives way.
+     * overshoots where short waves stay behind; a rigid obstacle lets go at the
+     * end of a step, half of one early or late, and a hard one in the time in
+     * which it gives way.
      */
     KeyResults
     errors_within_steps(const Scene &scene, const RunHistory &history)

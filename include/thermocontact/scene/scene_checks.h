@@ -86,14 +86,14 @@ namespace ThermoContact
   dispersion_warning(const Scene &scene);
 
   /**
-   * Cells by which the shortest waves of the scheme without dispersion stay
-   * behind the others in a run: where they pass a cell in another time than a
-   * step, and where waves heat the body, which travel faster by $\sqrt{1+a^2}$
-   * but for the shortest ones, whose heat is that of both neighbours. 0 of
-   * other schemes.
+   * Part of a cell by which the shortest waves of the scheme without dispersion
+   * stay behind the others in a step: where they pass a cell in another time,
+   * and where waves heat the body, which travel faster by $\sqrt{1+a^2}$ but
+   * for the shortest ones, whose heat is that of both neighbours. 0 of other
+   * schemes.
    */
   double
-  drift_of_shortest_waves(const Scene &scene);
+  delay_of_shortest_waves(const Scene &scene);
 
   /** True if they do at all. */
   bool

@@ -199,7 +199,7 @@ namespace ThermoContact
 
   /**
    * Part of its jump by which a front overshoots at the largest force for the
-   * drift of the shortest waves, since the first contact or since the start if
+   * delay of the shortest waves, since the first contact or since the start if
    * data make fronts: an estimate from above. 0 of schemes other than that
    * without dispersion.
    */
