@@ -435,7 +435,9 @@ namespace ThermoContact
     // bodies that rest side by side do not meet by the rounding of waves
     // and of their places
     path.negligible_velocity =
-      Tolerances::rounding_of_fronts * rates.velocity.linfty_norm() +
+      (body.scene.row.is_given() ? Tolerances::rounding_of_fronts :
+                                   Tolerances::rounding_of_solution) *
+        rates.velocity.linfty_norm() +
       Tolerances::rounding_of_solution * state.displacement.linfty_norm() /
         size;
     return path;

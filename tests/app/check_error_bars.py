@@ -240,10 +240,10 @@ def change_beside(values):
 
 
 def of_steps(summary, overrides):
-    """Twice the change of a peak in a step beside it; a step for each release, times the
+    """2.5 times the change of a peak in a step beside it; a step for each release, times the
     force, of a rigid obstacle; of a hard one the time in which it gives way, its compliance.
     Steps pass a cell, b = 1."""
-    peaks = {key: 2 * summary[f"{key} beside"] for key in PEAKS}
+    peaks = {key: 2.5 * summary[f"{key} beside"] for key in PEAKS}
     given = dict(entry.split("=", 1) for entry in overrides)
     step, compliance = 1 / int(given["Mesh/Cells"]), float(given.get("Contact/Compliance", 0))
     is_hard = 0 < 2 * compliance < step
