@@ -130,8 +130,8 @@ namespace ThermoContact
 
 
 
-    /** Steps of the scheme without dispersion in which a front passes, and a part
-     * of the one in which it begins: measured 2.1 at most. */
+    /** Steps of the scheme without dispersion in which a front passes, and a
+     * part of the one in which it begins: measured 2.1 at most. */
     constexpr double steps_of_front = 2.5;
 
 
