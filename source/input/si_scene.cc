@@ -191,6 +191,11 @@ namespace ThermoContact
 
 
 
+    /** Of the assignments that add_scales_of_masses() adds. */
+    const std::string place_of_scales = "the scales of masses alone";
+
+
+
     /** In nondimensional scenes there is a compliance. */
     bool
     is_stiffness(const Assignment &assignment)
@@ -237,12 +242,11 @@ namespace ThermoContact
                        return has_unit(assignment) || is_stiffness(assignment);
                      }))
       return;
-    const std::string place = "the scales of masses alone";
     assignments.insert(assignments.begin(),
-                       {{place, "Rod/Length", "1 m"},
-                        {place, "Rod/Cross-section area", "1 m^2"},
-                        {place, "Rod/Density", "1 kg/m^3"},
-                        {place, "Rod/Young's modulus", "1 Pa"}});
+                       {{place_of_scales, "Rod/Length", "1 m"},
+                        {place_of_scales, "Rod/Cross-section area", "1 m^2"},
+                        {place_of_scales, "Rod/Density", "1 kg/m^3"},
+                        {place_of_scales, "Rod/Young's modulus", "1 Pa"}});
   }
 
 
@@ -328,7 +332,10 @@ namespace ThermoContact
   SiScene::given(const std::string &path) const
   {
     const Assignment *const last = last_assignment(assignments, path);
-    return last == nullptr ? std::nullopt : std::optional(last->value);
+    return last == nullptr || (last->place == place_of_scales &&
+                               !have_masses_alone(assignments)) ?
+             std::nullopt :
+             std::optional(last->value);
   }
 
 

@@ -300,13 +300,19 @@ namespace ThermoContact
   has_waves_or_impacts(const Parameters &parameters)
   {
     const auto meetings = meetings_of_row(parameters);
+    const auto touches  = [&](const Meeting &meeting) {
+      const PairParameters *const pair = parameters.row.find_pair(meeting.name);
+      return meeting.other != nullptr &&
+             (pair != nullptr && pair->gap ? *pair->gap :
+                                              parameters.contact.gap) == 0.;
+    };
     return parameters.model.inertia > 0. &&
            parameters.model.fields != "temperature" &&
            (parameters.row.has_rods() ||
             std::any_of(meetings.begin(),
                         meetings.end(),
-                        [](const Meeting &meeting) {
-                          return meeting.law->is_rigid();
+                        [&](const Meeting &meeting) {
+                          return meeting.law->is_rigid() || touches(meeting);
                         }));
   }
 

@@ -1266,36 +1266,24 @@ namespace ThermoContact
                     "; remedy: lengths whose passages have a common measure, "
                     "or more Mesh/Cells");
     }
-
-
-
-    /** The largest delay() in a rod. */
-    double
-    delay_by_passages(const Scene &scene)
-    {
-      const Parameters &parameters = scene.parameters;
-      if (!scene.has_midpoint_mass || !parameters.time.step_size)
-        return 0.;
-      if (!parameters.has_row())
-        return delay(passage_without_row(scene), parameters.time);
-      double largest = 0.;
-      for (const BodyParameters &body : parameters.row.bodies)
-        if (!body.is_mass())
-          for (const double passage : passages_of_cells(parameters, body))
-            largest = std::max(largest, delay(passage, parameters.time));
-      return largest;
-    }
   } // namespace
 
 
 
   double
-  delay_of_shortest_waves(const Scene &scene)
+  delay_by_passages(const Scene &scene)
   {
-    return !scene.scheme.has_no_dispersion ?
-             0. :
-             delay_by_passages(scene) +
-               std::sqrt(1. + scene.material.stiffness_by_heat()) - 1.;
+    const Parameters &parameters = scene.parameters;
+    if (!scene.has_midpoint_mass || !parameters.time.step_size)
+      return 0.;
+    if (!parameters.has_row())
+      return delay(passage_without_row(scene), parameters.time);
+    double largest = 0.;
+    for (const BodyParameters &body : parameters.row.bodies)
+      if (!body.is_mass())
+        for (const double passage : passages_of_cells(parameters, body))
+          largest = std::max(largest, delay(passage, parameters.time));
+    return largest;
   }
 
 
@@ -1303,7 +1291,30 @@ namespace ThermoContact
   bool
   has_dispersion(const Scene &scene)
   {
-    return delay_of_shortest_waves(scene) > Tolerances::same_step_size;
+    return delay_by_passages(scene) > Tolerances::same_step_size;
+  }
+
+
+
+  double
+  stiffness_by_heat(const Scene &scene)
+  {
+    const double general =
+      scene.material.thermal_stress * scene.material.heating;
+    if (general == 0. || !scene.parameters.has_row())
+      return general;
+    double largest = 0.;
+    for (const BodyParameters &body : scene.parameters.row.bodies)
+      if (!body.is_mass())
+        for (const bool is_left : {true, false})
+          {
+            const EquationFactors end =
+              RodProfile(scene.parameters, body).at_end(is_left);
+            largest = std::max(largest,
+                               general * end.coupling * end.coupling /
+                                 (end.stiffness * end.heat_mass));
+          }
+    return largest;
   }
 
 

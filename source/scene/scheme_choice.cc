@@ -590,12 +590,16 @@ namespace ThermoContact
       SchemeChoice choice{
         written,
         {},
-        !is_automatic ? "" :
-        is_box        ? "bodies of a row have waves or impacts" :
-        !has_motion   ? "without inertia there are no waves" :
-        !has_jumps    ? "masses whose contacts give way have neither "
-                        "waves nor impacts" :
-                        "box cannot have " + limits.front().entry,
+        !is_automatic ?
+          "" :
+        is_box ?
+          "bodies of a row have waves or impacts" :
+        !has_motion ?
+          "without inertia there are no waves" :
+        !has_jumps ?
+          "masses that are apart, with contacts that give way, have neither "
+          "waves nor impacts" :
+          "box cannot have " + limits.front().entry,
         false};
       Parameters &parameters = choice.parameters;
       if (is_automatic)

@@ -153,6 +153,15 @@ namespace ThermoContact
 
 
   double
+  RunHistory::ringing_of_force() const
+  {
+    const SampledPeak *const largest = largest_peak(peaks, &Peaks::force);
+    return largest == nullptr ? 0. : largest->ringing();
+  }
+
+
+
+  double
   RunHistory::time_of_largest_force() const
   {
     const SampledPeak *const largest = largest_peak(peaks, &Peaks::force);

@@ -12,8 +12,13 @@ namespace ThermoContact
   void
   SampledPeak::add(const double time, const double value, const double rate)
   {
-    if (n_samples > 0 && time == now.time)
-      --n_samples; // replaced
+    const bool is_replaced = n_samples > 0 && time == now.time;
+    if (is_replaced)
+      {
+        --n_samples;
+        std::move(recent.begin() + 1, recent.end(), recent.begin());
+        n_behind -= n_behind > 0;
+      }
     else
       {
         before = last;
@@ -27,7 +32,7 @@ namespace ThermoContact
         n_behind   = 0;
         this->time = time;
       }
-    else if (n_behind < n_beside)
+    else if (n_behind < n_of_ringing)
       behind[n_behind++] = value;
     std::move_backward(recent.begin(), recent.end() - 1, recent.end());
     recent[0] = value;
@@ -48,8 +53,8 @@ namespace ThermoContact
   double
   SampledPeak::change_beside() const
   {
-    const auto least = [this](const std::array<double, n_beside> &values,
-                              const unsigned int                  n) {
+    const auto least = [this](const double *const values,
+                              const unsigned int  n) {
       double change = infinity, next = largest;
       for (unsigned int i = 0; i < n && values[i] > 0.; ++i)
         {
@@ -58,7 +63,20 @@ namespace ThermoContact
         }
       return std::isinf(change) ? 0. : change;
     };
-    return std::max(least(in_front, n_beside), least(behind, n_behind));
+    return std::max(least(in_front.data(), n_beside),
+                    least(behind.data(), std::min(n_behind, n_beside)));
+  }
+
+
+
+  double
+  SampledPeak::ringing() const
+  {
+    const auto end    = behind.begin() + n_behind;
+    const auto lowest = std::min_element(behind.begin(), end);
+    return n_behind == 0 || lowest + 1 == end || !(*lowest > 0.) ?
+             0. :
+             largest - *lowest;
   }
 
 

@@ -424,19 +424,56 @@ namespace ThermoContact
 
 
 
+  namespace
+  {
+    /**
+     * Part of its jump by which a front overshoots at the largest force if the
+     * shortest waves stay behind by this part of a cell in a step, since the
+     * first contact or since the start if data make fronts: from above.
+     */
+    double
+    overshoot_by(const double      delay,
+                 const Scene      &scene,
+                 const RunHistory &history)
+    {
+      if (!(delay > 0.) || history.events.empty())
+        return 0.;
+      const double begin =
+        has_fronts_of_data(scene.parameters) ? 0. : history.events.front().time;
+      const double n_steps =
+        std::max(0., history.time_of_largest_force() - begin) /
+        *scene.parameters.time.step_size;
+      return std::min(Tolerances::overshoot_of_fronts,
+                      Tolerances::overshoot_of_drift * delay * n_steps);
+    }
+
+
+
+    /**
+     * The shortest waves have the heat of both neighbours of a cell; those that
+     * exchange none travel faster by $\sqrt{1+a^2}$. A front that overshoots
+     * rings, and the force behind its peak with it.
+     */
+    double
+    overshoot_by_heat(const Scene &scene, const RunHistory &history)
+    {
+      return std::min(overshoot_by(std::sqrt(1. + stiffness_by_heat(scene)) -
+                                     1.,
+                                   scene,
+                                   history),
+                      history.ringing_of_force() / history.max_contact_force);
+    }
+  } // namespace
+
+
+
   double
   overshoot_of_fronts(const Scene &scene, const RunHistory &history)
   {
-    const double delay = delay_of_shortest_waves(scene);
-    if (delay == 0. || history.events.empty())
-      return 0.;
-    const double begin =
-      has_fronts_of_data(scene.parameters) ? 0. : history.events.front().time;
-    const double n_steps =
-      std::max(0., history.time_of_largest_force() - begin) /
-      *scene.parameters.time.step_size;
-    return std::min(Tolerances::overshoot_of_fronts,
-                    Tolerances::overshoot_of_drift * delay * n_steps);
+    return !scene.scheme.has_no_dispersion ?
+             0. :
+             overshoot_by(delay_by_passages(scene), scene, history) +
+               overshoot_by_heat(scene, history);
   }
 
 
@@ -446,16 +483,17 @@ namespace ThermoContact
   {
     if (!is_largest_force_of_mesh(scene, history.events))
       {
-        const double overshoot = overshoot_of_fronts(scene, history);
-        const double stiffness = scene.material.stiffness_by_heat();
-        return overshoot > Tolerances::harmless_change && stiffness > 0. ?
+        const double overshoot = scene.scheme.has_no_dispersion ?
+                                   overshoot_by_heat(scene, history) :
+                                   0.;
+        return overshoot > Tolerances::harmless_change ?
                  text(
                    "waves that heat the body travel faster than the mesh "
                    "lets its shortest ones: fronts, and with them the "
                    "largest force, overshoot by up to ",
                    significant(100. * overshoot, 2),
                    " %; remedy: Model/Fields = displacement, with a modulus ",
-                   significant(1. + stiffness, 8),
+                   significant(1. + stiffness_by_heat(scene), 8),
                    " times as large, that of waves without exchange of heat") :
                  "";
       }

@@ -130,12 +130,6 @@ namespace ThermoContact
 
 
 
-    /** Steps of the scheme without dispersion in which a front passes, and a
-     * part of the one in which it begins: measured 2.1 at most. */
-    constexpr double steps_of_front = 2.5;
-
-
-
     /** A linear obstacle that the scheme without dispersion does not resolve.
      */
     bool
@@ -163,10 +157,10 @@ namespace ThermoContact
       KeyResults   errors;
       const double overshoot = overshoot_of_fronts(scene, history);
       errors["max_contact_force"] =
-        steps_of_front * history.change_beside_force() +
+        Tolerances::steps_of_front * history.change_beside_force() +
         overshoot * history.max_contact_force;
       errors["max_penetration"] =
-        steps_of_front * history.change_beside_penetration() +
+        Tolerances::steps_of_front * history.change_beside_penetration() +
         overshoot * history.max_penetration;
       const double step      = *scene.parameters.time.step_size;
       const double impedance = std::sqrt(scene.material.inertia);
@@ -202,7 +196,8 @@ namespace ThermoContact
                                 history.events.end(),
                                 [time](const ContactEvent &one,
                                        const ContactEvent &next) {
-                                  return next.time - one.time < time;
+                                  return next.contact == one.contact &&
+                                         next.time - one.time < time;
                                 }) != history.events.end();
     }
 
@@ -260,7 +255,7 @@ namespace ThermoContact
                  const Differences &differences_of)
     {
       KeyResults bars = all_unknown();
-      if (parameters.has_masses_alone())
+      if (parameters.has_masses_alone() && !coarser_in_time(parameters).empty())
         for (auto &[k, bar] : bars)
           bar = 0.;
       const auto scenes = coarser_in_space(parameters);

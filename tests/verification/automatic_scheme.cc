@@ -35,7 +35,7 @@
 //    t^2. A mass m on the end swings on a stop, also on a damped one, with a
 //    wave of 2 pi (eps m/b)^(1/2): 1.4 and, for m = 0.03, 0.243 with eps =
 //    0.05. Masses alone have no waves, and no impacts where all contacts give
-//    way.
+//    way; side by side they send impacts on.
 // 2. A second choice on top of the first changes nothing.
 // 3. An obstacle at g = -V t meets a rod at rest, b = 1, zeta = 0: the force is
 //    V until the wave returns at t = 2, the impulse V t. On any number of
@@ -282,6 +282,8 @@ main_automatic_scheme()
   choose("masses, a rigid contact",
          masses +
            Overrides{"Contacts/a b/Condition=rigid", "Contact/Restitution=1"});
+  choose("masses side by side",
+         masses + Overrides{"Contacts/a b/Gap=0", "Contact/Gap=1"});
   choose("masses and a rod", masses + body("c", {"Length=1"}));
 
   meet_moving_wall<1>("defaults", {"Time/End time=1.75"});

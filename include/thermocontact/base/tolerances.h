@@ -217,6 +217,10 @@ namespace ThermoContact
     /** The shortest waves of a row may stay behind by this part of a cell. */
     inline constexpr double drift_of_waves = 1e-2;
 
+    /** Steps of the scheme without dispersion in which a front passes, and a
+     * part of the one in which it begins: measured 2.1 at most. */
+    inline constexpr double steps_of_front = 2.5;
+
     /**
      * A front overshoots by this part of its jump for each cell by which the
      * shortest waves stay behind it, measured up to a quarter of a cell, and at

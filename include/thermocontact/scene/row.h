@@ -195,8 +195,9 @@ namespace ThermoContact
   passages_of_cells(const Parameters &parameters, const BodyParameters &rod);
 
   /**
-   * True if the motion of a row has waves, or velocities that jump: not of
-   * masses alone whose contacts give way.
+   * True if the motion of a row has waves, velocities that jump, or impacts
+   * that go through bodies which stand side by side: not of masses alone that
+   * are apart and whose contacts give way.
    */
   bool
   has_waves_or_impacts(const Parameters &parameters);

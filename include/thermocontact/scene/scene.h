@@ -81,13 +81,6 @@ namespace ThermoContact
       return inertia > 0.;
     }
 
-    /** $a^2$, by which waves that exchange no heat are stiffer. */
-    double
-    stiffness_by_heat() const
-    {
-      return thermal_stress * heating;
-    }
-
     bool
     has_viscosity() const
     {

@@ -85,19 +85,20 @@ namespace ThermoContact
   std::string
   dispersion_warning(const Scene &scene);
 
-  /**
-   * Part of a cell by which the shortest waves of the scheme without dispersion
-   * stay behind the others in a step: where they pass a cell in another time,
-   * and where waves heat the body, which travel faster by $\sqrt{1+a^2}$ but
-   * for the shortest ones, whose heat is that of both neighbours. 0 of other
-   * schemes.
-   */
+  /** Largest part of a cell by which the shortest waves of the scheme without
+   * dispersion stay behind in a step, where a cell is passed in another time; 0
+   * of other schemes. */
   double
-  delay_of_shortest_waves(const Scene &scene);
+  delay_by_passages(const Scene &scene);
 
-  /** True if they do at all. */
+  /** True if these waves have any dispersion at all in some rod. */
   bool
   has_dispersion(const Scene &scene);
+
+  /** $a^2$ of the rod in which it is largest, by which waves that exchange no
+   * heat are stiffer; 0 without this heat. */
+  double
+  stiffness_by_heat(const Scene &scene);
 
   /** A warning if error-controlled steps have to follow the oscillations of
    * contact nodes with mass on a hard obstacle, which no forecast knows; or

@@ -74,6 +74,10 @@ namespace ThermoContact
     double
     change_beside_penetration() const;
 
+    /** SampledPeak::ringing() of the largest force. */
+    double
+    ringing_of_force() const;
+
     /** Where steps end at the largest force; 0 without contact. */
     double
     time_of_largest_force() const;

@@ -63,6 +63,11 @@ namespace ThermoContact
     double
     change_beside() const;
 
+    /** How far the quantity falls behind its largest value before it rises
+     * again within a few steps; 0 if it does not. */
+    double
+    ringing() const;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -94,12 +99,13 @@ namespace ThermoContact
     double       of_cubics   = 0.; ///< of steps without a kink
     double       of_kinks    = 0.; ///< of cubics of the other steps
 
-    static constexpr unsigned int n_beside = 4;
+    static constexpr unsigned int n_beside = 4, n_of_ringing = 8;
 
-    /** The last values, and, behind the largest one, those at its sides. */
-    std::array<double, n_beside> recent{}, behind{};
-    std::array<double, n_beside> in_front{};
-    unsigned int                 n_behind = 0;
+    /** The last values, the last one first; when the largest one came; and
+     * those behind it. */
+    std::array<double, n_beside>     recent{}, in_front{};
+    std::array<double, n_of_ringing> behind{};
+    unsigned int                     n_behind = 0;
 
     /** Of the parabola through all three samples. */
     double

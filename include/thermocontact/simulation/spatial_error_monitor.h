@@ -198,10 +198,9 @@ namespace ThermoContact
                            const std::vector<ContactEvent> &events);
 
   /**
-   * Part of its jump by which a front overshoots at the largest force for the
-   * delay of the shortest waves, since the first contact or since the start if
-   * data make fronts: an estimate from above. 0 of schemes other than that
-   * without dispersion.
+   * Part of its jump by which a front of the scheme without dispersion
+   * overshoots at the largest force, since the shortest waves stay behind: from
+   * above. 0 of other schemes.
    */
   double
   overshoot_of_fronts(const Scene &scene, const RunHistory &history);
