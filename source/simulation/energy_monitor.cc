@@ -43,11 +43,13 @@ namespace ThermoContact
     allowed_energy(const Scene &scene)
     {
       // the fronts of a row are sharp where all rods have the same passage, and
-      // the same coefficients in all cells
+      // the same coefficients in all cells, and waves do not heat them; others
+      // ring, and what the end meets of them may give energy
       const bool can_create =
         scene.scheme.can_create_energy ||
         (scene.scheme.has_no_dispersion &&
-         (has_dispersion(scene) || scene.row.has_varying_rods()));
+         (has_dispersion(scene) || stiffness_by_heat(scene) > 0. ||
+          scene.row.has_varying_rods()));
       return (can_create && !scene.parameters.time.has_error_control() ?
                 Tolerances::energy_of_fixed_steps :
                 Tolerances::energy_of_rounding) +
