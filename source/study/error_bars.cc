@@ -143,13 +143,30 @@ namespace ThermoContact
 
 
 
+    /** True if the first contact begins where nothing was apart: at the start
+     * of the step in which a front arrives, wherever in it that is. */
+    bool
+    begins_without_gap(const Scene &scene, const RunHistory &history)
+    {
+      if (history.events.empty())
+        return false;
+      const ContactEvent &first    = history.events.front();
+      const auto         &contacts = scene.row.contacts;
+      const double        gap      = first.contact < contacts.size() ?
+                                       contacts[first.contact].gap :
+                                       scene.parameters.contact.gap;
+      return gap == 0. && first.time > 0.;
+    }
+
+
+
     /**
      * Errors of the scheme without dispersion that meshes may all have alike,
      * (D9.5), since steps of all of them end at the same times: a front
      * hides what the force does beside it, as it did before or does behind, and
-     * overshoots where short waves stay behind; a rigid obstacle lets go at the
-     * end of a step, half of one early or late, and a hard one in the time in
-     * which it gives way.
+     * when contact begins without a gap, and it overshoots where short waves
+     * stay behind; a rigid obstacle lets go at the end of a step, half of one
+     * early or late, and a hard one in the time in which it gives way.
      */
     KeyResults
     errors_within_steps(const Scene &scene, const RunHistory &history)
@@ -164,6 +181,8 @@ namespace ThermoContact
         overshoot * history.max_penetration;
       const double step      = *scene.parameters.time.step_size;
       const double impedance = std::sqrt(scene.material.inertia);
+      if (begins_without_gap(scene, history))
+        errors["first_contact_time"] = errors["contact_duration"] = step;
       if (!is_hard(scene) && !scene.contact.has_rigid())
         return errors;
       const double n = std::count_if(history.events.begin(),
@@ -173,8 +192,8 @@ namespace ThermoContact
                                      });
       const double time =
         n * (is_hard(scene) ? *scene.contact.compliance() * impedance : step);
-      errors["contact_duration"] = time;
-      errors["contact_impulse"]  = time * history.max_contact_force;
+      errors["contact_duration"] += time;
+      errors["contact_impulse"] = time * history.max_contact_force;
       if (is_hard(scene))
         errors["final_displacement_end"] =
           time * history.max_contact_force / impedance;

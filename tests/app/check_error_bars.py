@@ -241,18 +241,21 @@ def change_beside(values):
 
 def of_steps(summary, overrides):
     """2.5 times the change of a peak in a step beside it; a step for each release, times the
-    force, of a rigid obstacle; of a hard one the time in which it gives way, its compliance.
-    Steps pass a cell, b = 1."""
+    force, of a rigid obstacle; of a hard one the time in which it gives way, its compliance; a
+    step for times of a contact that begins later than t = 0 without a gap. Steps pass a
+    cell, b = 1."""
     peaks = {key: 2.5 * summary[f"{key} beside"] for key in PEAKS}
     given = dict(entry.split("=", 1) for entry in overrides)
     step, compliance = 1 / int(given["Mesh/Cells"]), float(given.get("Contact/Compliance", 0))
     is_hard = 0 < 2 * compliance < step
+    late = step if given.get("Contact/Gap") == "0" and summary["first_contact_time"] > 0 else 0
+    peaks |= {"first_contact_time": late, "contact_duration": late}
     if given.get("Contact/Condition") != "rigid" and not is_hard:
         return peaks
     n = summary["contact_begins"] - (summary["final_contact_force"] > 0)
     time = n * (compliance if is_hard else step)
     moved = time * summary["max_contact_force"]
-    return peaks | {"contact_duration": time, "contact_impulse": moved,
+    return peaks | {"contact_duration": late + time, "contact_impulse": moved,
                     "final_displacement_end": moved if is_hard else 0,
                     "restitution": math.inf if is_hard else 0}
 
