@@ -217,12 +217,9 @@ namespace ThermoContact
       contact.is_damped() ? std::max(0., 0. - record.gap) : 0.;
     if (!contact.is_damped())
       for (unsigned int i = 0; i < state.contact.pressure.size(); ++i)
-        {
-          const double p = state.contact.pressure[i];
-          record.penetration =
-            std::max(record.penetration,
-                     contact.law_under(p, i).penetration(std::abs(p)));
-        }
+        record.penetration =
+          std::max(record.penetration,
+                   contact.penetration_under(state.contact.pressure[i], i));
     record.stress_end =
       (body.scene.obstacle_mass ? 0. : mean_traction()) - record.contact_force;
     if (const auto &right = body.scene.parameters.boundary.right;

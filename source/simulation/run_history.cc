@@ -67,13 +67,12 @@ namespace ThermoContact
     for (unsigned int i = 0; i < contacts.size(); ++i)
       {
         const double force = std::abs(contacts[i].contact_force);
-        add(
-          i,
-          contact.is_damped() ?
-            std::fmax(0., 0. - contacts[i].gap) :
-            contact.law_under(contacts[i].contact_force, i).penetration(force),
-          force,
-          contacts[i].velocity);
+        add(i,
+            contact.is_damped() ?
+              std::fmax(0., 0. - contacts[i].gap) :
+              contact.penetration_under(contacts[i].contact_force, i),
+            force,
+            contacts[i].velocity);
       }
   }
 

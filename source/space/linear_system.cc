@@ -78,8 +78,7 @@ namespace ThermoContact
     const RodMatrices &matrices = *equations.rod();
     const Material    &material = equations.coefficients();
     const auto         block    = [&](const Field::Block field) {
-      const BlockTerms terms = block_terms(coefficients, material, field);
-      return RodFactors<1>::Block(terms.begin(), terms.end());
+      return rod_block(coefficients, material, field);
     };
     double     growth = 0.;
     const auto held   = [&](const Field::Block field, const unsigned int end) {
@@ -87,11 +86,12 @@ namespace ThermoContact
     };
     if (is_whole())
       {
+        const CouplingFactors coupling =
+          coupling_factors(coefficients, material);
         const RodFactors<2>::Block heating{
-          {coefficients.heating * material.heating, RodMatrices::divergence}};
+          {coupling.heating, RodMatrices::divergence}};
         const RodFactors<2>::Block stress{
-          {-coefficients.thermal_stress * material.thermal_stress,
-           RodMatrices::thermal_stress}};
+          {coupling.thermal_stress, RodMatrices::thermal_stress}};
         rod_whole = std::make_unique<const RodFactors<2>>(
           matrices,
           RodFactors<2>::Blocks{{{{block(Field::temperature), heating}},
@@ -130,10 +130,10 @@ namespace ThermoContact
     if (is_whole())
       {
         const SystemVector prototype = equations.space().make_system_vector();
-        whole.reset(
-          new Whole{DirectSolver(whole_matrix(equations, coefficients, scale)),
-                    prototype,
-                    prototype});
+        whole.reset(new Whole{
+          DirectSolver(whole_matrix(equations, coefficients.scaled(scale))),
+          prototype,
+          prototype});
         return;
       }
     for (const Field::Block field : all_fields)

@@ -153,8 +153,7 @@ namespace ThermoContact
   template <int dim>
   SparseMatrix
   whole_matrix(const ThermoviscoelasticOperator<dim> &equations,
-               const SystemCoefficients              &coefficients,
-               const double                           scale)
+               const SystemCoefficients              &coefficients)
   {
     const Discretization<dim> &space    = equations.space();
     const Material            &material = equations.coefficients();
@@ -182,14 +181,15 @@ namespace ThermoContact
                 space.first_dof(field),
                 IndexSet(space.owned_by_block()[field].size()),
                 matrix);
+    const CouplingFactors coupling = coupling_factors(coefficients, material);
     add_block(matrices[FieldMatrix::divergence],
-              scale * coefficients.heating * material.heating,
+              coupling.heating,
               0,
               n,
               space.constrained(Field::temperature),
               matrix);
     add_block(matrices[FieldMatrix::thermal_stress],
-              -coefficients.thermal_stress / scale * material.thermal_stress,
+              coupling.thermal_stress,
               n,
               0,
               space.constrained(Field::displacement),
@@ -206,9 +206,7 @@ namespace ThermoContact
     const SystemCoefficients &,              \
     const Field::Block);                     \
   template SparseMatrix whole_matrix<dim>(   \
-    const ThermoviscoelasticOperator<dim> &, \
-    const SystemCoefficients &,              \
-    const double)
+    const ThermoviscoelasticOperator<dim> &, const SystemCoefficients &)
 
   INSTANTIATE(1);
   INSTANTIATE(2);

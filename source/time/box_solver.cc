@@ -43,14 +43,12 @@ namespace ThermoContact
     if (kept.use(size))
       return kept.front();
     const StopWatch watch(counters_.factorization_seconds);
-    using Block                    = RodFactors<1>::Block;
     const Material &material       = body.scene.material;
     const double    tau            = 0.5 * size;
     const auto      momentum_block = [&](const SystemCoefficients &c) {
-      const BlockTerms terms = block_terms(c, material, Field::displacement);
-      return Block(terms.begin(), terms.end());
+      return rod_block(c, material, Field::displacement);
     };
-    const Block momentum = momentum_block(stage_coefficients(tau));
+    const auto  momentum = momentum_block(stage_coefficients(tau));
     const auto &matrices = *body.equations.rod();
     Factors     factors{size, nullptr, nullptr, nullptr, {}};
     double      growth = 0.;

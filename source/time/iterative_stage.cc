@@ -45,17 +45,15 @@ namespace ThermoContact
     hierarchies.provide(stage_length);
     if (system && tau == stage_length)
       return;
-    tau                             = stage_length;
-    SystemCoefficients coefficients = stage_coefficients(tau);
-    // of the unknowns (tau theta', v), the first row times tau
-    coefficients.heating *= tau;
-    coefficients.thermal_stress /= tau;
+    tau = stage_length;
     system.reset();
-    system = std::make_unique<LinearSystem<dim>>(body.equations,
-                                                 coefficients,
-                                                 nullptr,
-                                                 LinearSystem<dim>::Rows::all,
-                                                 &hierarchies);
+    // of the unknowns (tau theta', v)
+    system =
+      std::make_unique<LinearSystem<dim>>(body.equations,
+                                          stage_coefficients(tau).scaled(tau),
+                                          nullptr,
+                                          LinearSystem<dim>::Rows::all,
+                                          &hierarchies);
   }
 
 

@@ -188,7 +188,7 @@ namespace
       , equations(simulation.body().equations)
       , tau(simulation.parameters().time.step_size.value())
       , law(simulation.body().law())
-      , solver(whole_matrix(equations, stage_coefficients(tau), tau))
+      , solver(whole_matrix(equations, stage_coefficients(tau).scaled(tau)))
       , heat(discretization.make_vector(Field::temperature))
       , momentum(discretization.make_vector(Field::displacement))
       , heat_load(heat)

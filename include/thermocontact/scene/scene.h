@@ -335,6 +335,13 @@ namespace ThermoContact
       return law_at(node, pressure < 0. ? -1 : 1);
     }
 
+    /** Penetration of a contact node under this pressure, without damping. */
+    double
+    penetration_under(const double pressure, const unsigned int node) const
+    {
+      return law_under(pressure, node).penetration(std::abs(pressure));
+    }
+
     /** Whether one of the laws has a property. */
     template <typename Has>
     bool

@@ -4,6 +4,7 @@
 #define thermocontact_space_system_coefficients_h
 
 #include <thermocontact/base/types.h>
+#include <thermocontact/rod/rod_factors.h>
 #include <thermocontact/rod/rod_matrices.h>
 #include <thermocontact/scene/scene.h>
 
@@ -50,6 +51,16 @@ namespace ThermoContact
       if (field == Field::temperature)
         return {heat_mass, conduction};
       return {0., 0., 0., 0., inertia, viscosity, stiffness};
+    }
+
+    /** The system for @p s times the temperature, its rows of heat times s. */
+    SystemCoefficients
+    scaled(const double s) const
+    {
+      SystemCoefficients c(*this);
+      c.heating *= s;
+      c.thermal_stress /= s;
+      return c;
     }
   };
 
@@ -109,6 +120,34 @@ namespace ThermoContact
              {c.viscosity * material.viscous_factor(),
               FieldMatrix::viscous_stiffness},
              {c.stiffness, FieldMatrix::stiffness}}};
+  }
+
+
+
+  /** The same, for the factors of a rod. */
+  inline RodFactors<1>::Block
+  rod_block(const SystemCoefficients &c,
+            const Material           &material,
+            const Field::Block        field)
+  {
+    const BlockTerms terms = block_terms(c, material, field);
+    return {terms.begin(), terms.end()};
+  }
+
+
+
+  /** The factor of $D$ in the rows of heat, and of $D^T$ in the others. */
+  struct CouplingFactors
+  {
+    double heating;
+    double thermal_stress;
+  };
+
+  inline CouplingFactors
+  coupling_factors(const SystemCoefficients &c, const Material &material)
+  {
+    return {c.heating * material.heating,
+            -c.thermal_stress * material.thermal_stress};
   }
 
 

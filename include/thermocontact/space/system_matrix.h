@@ -22,15 +22,12 @@ namespace ThermoContact
 
   /**
    * The whole system in the numbering of both fields, of a scene with thermal
-   * stress, for the unknowns $(s\theta',v)$ with its first row times s.
-   *
-   * @param scale $s$
+   * stress.
    */
   template <int dim>
   SparseMatrix
   whole_matrix(const ThermoviscoelasticOperator<dim> &equations,
-               const SystemCoefficients              &coefficients,
-               const double                           scale);
+               const SystemCoefficients              &coefficients);
 } // namespace ThermoContact
 
 #endif
