@@ -147,8 +147,12 @@ namespace ThermoContact
     double
     damped_pressure(const double penetration, const double v) const;
 
-    /** The same of a node that is held: odd in the penetration at rest, and of
-     * either sign. */
+    /**
+     * The same of a node that is held: odd in the penetration at rest, and of
+     * either sign. At an instant; in a stage a node that is pulled has the
+     * factor of the velocity with which it would touch, see Damped: both pull
+     * by the miss of an event alone.
+     */
     double
     held_pressure(const double penetration, const double v) const;
 
