@@ -92,28 +92,18 @@ namespace ThermoContact
 
 
 
-    /** Of all contacts; null: there is none. */
-    const SampledPeak *
+    const SampledPeak &
     largest_peak(const std::vector<RunHistory::Peaks> &peaks,
                  SampledPeak RunHistory::Peaks::*const of)
     {
-      const auto largest =
+      static const SampledPeak none;
+      const auto               largest =
         std::max_element(peaks.begin(),
                          peaks.end(),
                          [of](const auto &one, const auto &other) {
                            return (one.*of).top() < (other.*of).top();
                          });
-      return largest == peaks.end() ? nullptr : &((*largest).*of);
-    }
-
-
-
-    double
-    change_beside_largest(const std::vector<RunHistory::Peaks> &peaks,
-                          SampledPeak RunHistory::Peaks::*const of)
-    {
-      const SampledPeak *const largest = largest_peak(peaks, of);
-      return largest == nullptr ? 0. : largest->change_beside();
+      return largest == peaks.end() ? none : (*largest).*of;
     }
   } // namespace
 
@@ -135,36 +125,18 @@ namespace ThermoContact
 
 
 
-  double
-  RunHistory::change_beside_force() const
+  const SampledPeak &
+  RunHistory::largest_force() const
   {
-    return change_beside_largest(peaks, &Peaks::force);
+    return largest_peak(peaks, &Peaks::force);
   }
 
 
 
-  double
-  RunHistory::change_beside_penetration() const
+  const SampledPeak &
+  RunHistory::largest_penetration() const
   {
-    return change_beside_largest(peaks, &Peaks::penetration);
-  }
-
-
-
-  double
-  RunHistory::ringing_of_force() const
-  {
-    const SampledPeak *const largest = largest_peak(peaks, &Peaks::force);
-    return largest == nullptr ? 0. : largest->ringing();
-  }
-
-
-
-  double
-  RunHistory::time_of_largest_force() const
-  {
-    const SampledPeak *const largest = largest_peak(peaks, &Peaks::force);
-    return largest == nullptr ? 0. : largest->time_of_largest();
+    return largest_peak(peaks, &Peaks::penetration);
   }
 
 

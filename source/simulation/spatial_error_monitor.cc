@@ -441,7 +441,7 @@ namespace ThermoContact
       const double begin =
         has_fronts_of_data(scene.parameters) ? 0. : history.events.front().time;
       const double n_steps =
-        std::max(0., history.time_of_largest_force() - begin) /
+        std::max(0., history.largest_force().time_of_largest() - begin) /
         *scene.parameters.time.step_size;
       return std::min(Tolerances::overshoot_of_fronts,
                       Tolerances::overshoot_of_drift * delay * n_steps);
@@ -457,11 +457,12 @@ namespace ThermoContact
     double
     overshoot_by_heat(const Scene &scene, const RunHistory &history)
     {
-      return std::min(overshoot_by(std::sqrt(1. + stiffness_by_heat(scene)) -
-                                     1.,
-                                   scene,
-                                   history),
-                      history.ringing_of_force() / history.max_contact_force);
+      if (!(history.max_contact_force > 0.))
+        return 0.;
+      const double delay = std::sqrt(1. + stiffness_by_heat(scene)) - 1.;
+      return std::min(overshoot_by(delay, scene, history),
+                      history.largest_force().ringing() /
+                        history.max_contact_force);
     }
   } // namespace
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace ThermoContact
@@ -174,10 +175,11 @@ namespace ThermoContact
       KeyResults   errors;
       const double overshoot = overshoot_of_fronts(scene, history);
       errors["max_contact_force"] =
-        Tolerances::steps_of_front * history.change_beside_force() +
+        Tolerances::steps_of_front * history.largest_force().change_beside() +
         overshoot * history.max_contact_force;
       errors["max_penetration"] =
-        Tolerances::steps_of_front * history.change_beside_penetration() +
+        Tolerances::steps_of_front *
+          history.largest_penetration().change_beside() +
         overshoot * history.max_penetration;
       const double step      = *scene.parameters.time.step_size;
       const double impedance = std::sqrt(scene.material.inertia);
@@ -211,13 +213,16 @@ namespace ThermoContact
     {
       const double time =
         *scene.contact.compliance() * std::sqrt(scene.material.inertia);
-      return std::adjacent_find(history.events.begin(),
-                                history.events.end(),
-                                [time](const ContactEvent &one,
-                                       const ContactEvent &next) {
-                                  return next.contact == one.contact &&
-                                         next.time - one.time < time;
-                                }) != history.events.end();
+      std::map<unsigned int, double> last; // of each contact
+      for (const ContactEvent &event : history.events)
+        {
+          const auto [before, is_first] =
+            last.try_emplace(event.contact, event.time);
+          if (!is_first && event.time - before->second < time)
+            return true;
+          before->second = event.time;
+        }
+      return false;
     }
 
 

@@ -15,7 +15,8 @@ mean = numpy.zeros(len(time))
 for size, frequency in ((5, 7.27220521664304e-05), (1, 1.0388864595204343e-05)):
     m = numpy.sqrt(1j * frequency * length**2 / diffusivity)
     mean += numpy.imag(size * numpy.tanh(m) / m * numpy.exp(1j * (frequency * time + phase)))
-gap = float(run.settings["Contact/Gap"].split()[0])
+# the stop behind the end meets the mirror image
+gap = min(run.settings.number("Contact/Gap"), run.settings.number("Contact/Rear gap", 1))
 touches = expansion * length * mean > gap
 touches[time < 3600] = gap < 0  # before the initial temperature has gone
 begins = int(touches[0]) + int(numpy.sum(touches[1:] & ~touches[:-1]))

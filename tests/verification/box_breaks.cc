@@ -33,8 +33,8 @@
 
 #include "../tests.h"
 
-#include "../recorded_run.h"
 #include "../row_checks.h"
+#include "../two_spellings.h"
 
 using namespace ThermoContact;
 
@@ -50,25 +50,11 @@ namespace
   std::array<RecordedRun, 2>
   both(const Overrides &entries, const bool has_heat)
   {
-    std::array<RecordedRun, 2> runs;
-    for (const unsigned int i : {0, 1})
-      {
-        Overrides spelled = {"Time/Scheme=box",
-                             "Model/Viscosity=0",
-                             "Mesh/Cells=20"};
-        if (has_heat)
-          spelled = spelled + Overrides{"Model/Coupling=0"};
-        else
-          spelled = spelled + Overrides{"Model/Fields=displacement"};
-        for (std::string entry : entries)
-          {
-            if (const auto at = entry.find('@'); at != std::string::npos)
-              entry.replace(at, 1, i == 0 ? "<" : "<=");
-            spelled.push_back(entry);
-          }
-        runs[i] = run<1>("", spelled);
-      }
-    return runs;
+    return run_both_spellings(
+      Overrides{"Time/Scheme=box", "Model/Viscosity=0", "Mesh/Cells=20"} +
+      (has_heat ? Overrides{"Model/Coupling=0"} :
+                  Overrides{"Model/Fields=displacement"}) +
+      entries);
   }
 
 

@@ -39,8 +39,8 @@
 
 #include "../tests.h"
 
-#include "../recorded_run.h"
 #include "../row_checks.h"
+#include "../two_spellings.h"
 
 using namespace ThermoContact;
 
@@ -50,32 +50,19 @@ namespace
   std::array<RecordedRun, 2>
   runs_of_spellings(const Overrides &entries, const bool has_heat)
   {
-    std::array<RecordedRun, 2> runs;
-    for (const unsigned int i : {0, 1})
-      {
-        Overrides spelled = {"Time/Scheme=box",
-                             "Model/Viscosity=0",
-                             "Mesh/Cells=20",
-                             "Boundary/left/Support=free",
-                             "Initial values/Velocity=0",
-                             "Output/Boundaries=true"};
-        if (has_heat)
-          spelled = spelled + Overrides{"Model/Coupling=0",
-                                        "Boundary/left/Temperature=none",
-                                        "Boundary/right/Heat exchange=0",
-                                        "Initial values/Temperature=0"};
-        else
-          spelled = spelled + Overrides{"Model/Fields=displacement"};
-        for (std::string entry : entries)
-          {
-            for (auto at = entry.find('@'); at != std::string::npos;
-                 at      = entry.find('@'))
-              entry.replace(at, 1, i == 0 ? "<" : "<=");
-            spelled.push_back(entry);
-          }
-        runs[i] = run<1>("", spelled);
-      }
-    return runs;
+    return run_both_spellings(Overrides{"Time/Scheme=box",
+                                        "Model/Viscosity=0",
+                                        "Mesh/Cells=20",
+                                        "Boundary/left/Support=free",
+                                        "Initial values/Velocity=0",
+                                        "Output/Boundaries=true"} +
+                              (has_heat ?
+                                 Overrides{"Model/Coupling=0",
+                                           "Boundary/left/Temperature=none",
+                                           "Boundary/right/Heat exchange=0",
+                                           "Initial values/Temperature=0"} :
+                                 Overrides{"Model/Fields=displacement"}) +
+                              entries);
   }
 
 

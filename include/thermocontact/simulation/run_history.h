@@ -66,21 +66,13 @@ namespace ThermoContact
     double
     peak_penetration() const;
 
-    /** SampledPeak::change_beside() of the contacts with the largest force and
-     * penetration. */
-    double
-    change_beside_force() const;
+    /** Of the contact with the largest force; without contact of no value. */
+    const SampledPeak &
+    largest_force() const;
 
-    double
-    change_beside_penetration() const;
-
-    /** SampledPeak::ringing() of the largest force. */
-    double
-    ringing_of_force() const;
-
-    /** Where steps end at the largest force; 0 without contact. */
-    double
-    time_of_largest_force() const;
+    /** Likewise of the penetration. */
+    const SampledPeak &
+    largest_penetration() const;
 
     /** Warnings for the user although the run goes on. */
     std::vector<std::string> warnings;

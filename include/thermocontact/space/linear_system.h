@@ -54,12 +54,12 @@ namespace ThermoContact
    * A linear system of SystemCoefficients, made for many right-hand sides. Rows
    * of constrained degrees of freedom say that the unknown vanishes.
    *
-   * Who solves it: the blocks along a rod in one process are
-   * eliminated one after the other; sparse factors (KLU) are for all other
-   * bodies that have matrices, for rods whose blocks grow on the way, and for
-   * those with a diagonal; bodies without matrices have Krylov's methods, GMRES
-   * for a stage and conjugate gradients for one field. The rows of the contact
-   * end have a full inverse if there are matrices.
+   * The blocks along a rod in one process are eliminated one after the other;
+   * sparse factors (KLU) are for all other bodies that have matrices, for rods
+   * whose blocks grow on the way, and for those with a diagonal; bodies without
+   * matrices have Krylov's methods, GMRES for a stage and conjugate gradients
+   * for one field. The rows of the contact end have a full inverse if there are
+   * matrices.
    *
    * The fields of a system are one matrix if each acts on the other; if the
    * displacement does not act on the temperature, the rows of heat are solved
